@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <optional>
+#include <cstddef>
+#include <cstdint>
 
 #include "base/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
-
-/// Sums over a window for the affine fit of w, centred on the middle cell.
-struct WindowSums {
-  float n = 0, s = 0, t = 0, ss = 0, st = 0, tt = 0, w = 0, sw = 0, tw = 0;
-};
 
 // Cells that a fit needs: one more than it has parameters.
 constexpr float kMinCells = 4.0f;
@@ -21,76 +18,85 @@ constexpr float kMinCells = 4.0f;
 // same trace. Below it the cells lie nearly on a line.
 constexpr float kMinRoundness = 0.05f;
 
-/// Inverse depth as an affine function of the offsets from the middle cell: a + b s + c t.
-struct AffineFit {
-  float a, b, c;
-};
-
-/// Solves the affine fit; nullopt if the window's cells are too few or nearly on a line.
-std::optional<AffineFit> solve(const WindowSums& m) {
-  if (m.n < kMinCells) return std::nullopt;
-  const float s = m.s / m.n, t = m.t / m.n, w = m.w / m.n;
-  const float ss = m.ss - m.n * s * s, st = m.st - m.n * s * t, tt = m.tt - m.n * t * t;
-  const float sw = m.sw - m.n * s * w, tw = m.tw - m.n * t * w;
-  const float det = ss * tt - st * st;
-  if (det < kMinRoundness * (ss + tt) * (ss + tt) * 0.25f) return std::nullopt;
-  AffineFit fit{};
-  fit.b = (tt * sw - st * tw) / det;
-  fit.c = (ss * tw - st * sw) / det;
-  fit.a = w - fit.b * s - fit.c * t;
-  return fit;
-}
-
-/// A copy of the usable cells with a border of empty ones, so that a window never ends at the edge
-/// of the image and vectors may read past the end of a row.
-struct BorderedCells {
-  int stride;
-  /// 1 for usable cells, otherwise 0.
-  std::vector<float> usable;
-  std::vector<float> u, v, w;
-
-  BorderedCells(const DepthCells& cells, const Mask& use, int reach)
-      : stride(cells.width + 2 * reach + kLanes) {
-    const std::size_t size = static_cast<std::size_t>(stride) * (cells.height + 2 * reach + 1);
-    usable.assign(size, 0.0f), u = usable, v = usable, w = usable;
-    for (int j = 0; j < cells.height; ++j) {
-      const std::ptrdiff_t from = std::ptrdiff_t{j} * cells.width;
-      const std::ptrdiff_t to = std::ptrdiff_t{j + reach} * stride + reach;
-      std::copy_n(use.begin() + from, cells.width, usable.begin() + to);
-      std::copy_n(cells.u.begin() + from, cells.width, u.begin() + to);
-      std::copy_n(cells.v.begin() + from, cells.width, v.begin() + to);
-      std::copy_n(cells.w.begin() + from, cells.width, w.begin() + to);
-    }
-  }
-};
-
 using Lanes = std::array<float, kLanes>;
 
-/// Sums over the windows of consecutive cells, each in a vector lane of its own.
+/// Some consecutive cells, the first at these places in memory, with others around them.
+struct CellWindow {
+  /// 1 for usable cells, otherwise 0.
+  const float* usable;
+  const float *u, *v, *w;
+  /// Number of places from a cell to that below it.
+  int stride;
+};
+
+/// @param keep  cells to use; null for all
+QUADRILLE_VECTOR_CLONES
+void mark_usable(const int* __restrict count, const char* __restrict keep, int n,
+                 float* __restrict usable) {
+  for (int i = 0; i < n; ++i) usable[i] = static_cast<float>(static_cast<int>(count[i] > 0));
+  if (!keep) return;
+  for (int i = 0; i < n; ++i) usable[i] *= static_cast<float>(static_cast<int>(keep[i] != 0));
+}
+
+/// A copy of the cells with a border of empty ones, so that a window never ends at the edge of the
+/// image and vectors may read past the end of a row.
+class BorderedCells {
+ public:
+  BorderedCells(const DepthCells& cells, const Mask& keep, int reach)
+      : reach_(reach), stride_(cells.width + 2 * reach + kLanes) {
+    const std::size_t size = static_cast<std::size_t>(stride_) * (cells.height + 2 * reach + 1);
+    usable_.assign(size, 0.0f), u_ = usable_, v_ = usable_, w_ = usable_;
+    for (int j = 0; j < cells.height; ++j) {
+      const std::ptrdiff_t from = std::ptrdiff_t{j} * cells.width;
+      const std::ptrdiff_t to = std::ptrdiff_t{j + reach} * stride_ + reach;
+      mark_usable(cells.count.data() + from, keep.empty() ? nullptr : keep.data() + from,
+                  cells.width, usable_.data() + to);
+      std::copy_n(cells.u.data() + from, cells.width, u_.data() + to);
+      std::copy_n(cells.v.data() + from, cells.width, v_.data() + to);
+      std::copy_n(cells.w.data() + from, cells.width, w_.data() + to);
+    }
+  }
+
+  CellWindow at(int i, int j) const {
+    const std::ptrdiff_t k = std::ptrdiff_t{j + reach_} * stride_ + reach_ + i;
+    return {usable_.data() + k, u_.data() + k, v_.data() + k, w_.data() + k, stride_};
+  }
+  std::ptrdiff_t count_usable() const { return std::count(usable_.begin(), usable_.end(), 1.0f); }
+
+ private:
+  int reach_, stride_;
+  std::vector<float> usable_, u_, v_, w_;
+};
+
+/// Sums over the windows of consecutive cells for the affine fit of w, centred on each cell, which
+/// has a vector lane of its own.
 struct WindowLanes {
   Lanes n{}, s{}, t{}, ss{}, st{}, tt{}, w{}, sw{}, tw{};
-
-  WindowSums operator[](int k) const {
-    return {n[k], s[k], t[k], ss[k], st[k], tt[k], w[k], sw[k], tw[k]};
-  }
 };
 
 /// Sums over the cells around each of kLanes consecutive cells that may belong to its surface.
-/// @param first  place of the first of them in the bordered cells
-/// @param limit  largest step in depth of each
+/// @param edge  of a cell, as a tangent
+/// @return false if none of the cells is usable
 QUADRILLE_VECTOR_CLONES
-void sum_windows(const BorderedCells& cells, int first, int reach, const Lanes& limit,
-                 WindowLanes* sums) {
+bool sum_windows(CellWindow cells, int reach, float edge, WindowLanes* sums) {
+  float any = 0.0f;
+  for (int k = 0; k < kLanes; ++k) any += cells.usable[k];
+  if (any == 0.0f) return false;
+  // The largest step in depth to a cell of the same surface.
+  Lanes limit;
+  for (int k = 0; k < kLanes; ++k) {
+    limit[k] = continuous_step(edge, cells.w[k]) * static_cast<float>(reach);
+  }
   WindowLanes m;
-  const float *const u0 = &cells.u[first], *const v0 = &cells.v[first], *const w0 = &cells.w[first];
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
-      const int at = first + y * cells.stride + x;
-      const float *const u = &cells.u[at], *const v = &cells.v[at], *const w = &cells.w[at];
-      const float* const usable = &cells.usable[at];
+      const std::ptrdiff_t at = std::ptrdiff_t{y} * cells.stride + x;
+      const float *const u = cells.u + at, *const v = cells.v + at, *const w = cells.w + at;
+      const float* const usable = cells.usable + at;
+      QUADRILLE_KEEP_LOOP
       for (int k = 0; k < kLanes; ++k) {
-        const float du = u[k] - u0[k], dv = v[k] - v0[k], dw = w[k] - w0[k];
-        const float one = std::abs(dw) > limit[k] * w[k] * w0[k] ? 0.0f : usable[k];
+        const float w0 = cells.w[k], du = u[k] - cells.u[k], dv = v[k] - cells.v[k], dw = w[k] - w0;
+        const float one = std::abs(dw) > limit[k] * w[k] * w0 ? 0.0f : usable[k];
         const float s = one * du, t = one * dv, h = one * dw;
         m.n[k] += one;
         m.s[k] += s, m.t[k] += t, m.ss[k] += s * s, m.st[k] += s * t, m.tt[k] += t * t;
@@ -99,43 +105,105 @@ void sum_windows(const BorderedCells& cells, int first, int reach, const Lanes& 
     }
   }
   *sums = m;
+  return true;
 }
 
-void add_sample(const DepthCells& cells, int c, const AffineFit& fit, const NoiseModel& noise,
-                const Eigen::Isometry3f& X_CV, SurfaceSamples* samples) {
-  const float u0 = cells.u[c], v0 = cells.v[c], w0 = cells.w[c];
-  // On the plane n·x = d the inverse depth is 1/z = (n_x u + n_y v + n_z) / d.
-  const float w = w0 + fit.a;
-  Eigen::Vector3f n(fit.b, fit.c, w - fit.b * u0 - fit.c * v0);
-  n.normalize();
-  const Eigen::Vector3f ray(u0, v0, 1.0f);
-  if (n.dot(ray) > 0) n = -n;
-  samples->p.push_back(X_CV * Eigen::Vector3f(ray / w));
-  samples->n.push_back(X_CV.linear() * n);
-  samples->raw.push_back(X_CV * cells.position_V(c));
-  samples->sigma.push_back(noise.sigma(1.0f / w0));
-  samples->cell.push_back(cells.metric(w0));
-  samples->count.push_back(cells.count[c]);
-  samples->source.push_back(c);
+/// For each of kLanes consecutive cells, bit i is set if the depth of its i-th neighbour, row by
+/// row, continues its own.
+using Links = std::array<int, kLanes>;
+
+QUADRILLE_VECTOR_CLONES
+void find_links(CellWindow cells, float edge, Links* links) {
+  Links found{};
+  int bit = 1;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) {
+      if (x == 0 && y == 0) continue;
+      const float* const w = cells.w + std::ptrdiff_t{y} * cells.stride + x;
+      QUADRILLE_KEEP_LOOP
+      for (int k = 0; k < kLanes; ++k) {
+        found[k] |= static_cast<int>(continuous(edge, cells.w[k], w[k])) * bit;
+      }
+      bit *= 2;
+    }
+  }
+  *links = found;
+}
+
+/// The samples of consecutive cells.
+struct SampleLanes {
+  /// Nonzero if the cell has a sample.
+  std::array<int, kLanes> valid;
+  /// Coordinates of the fields of SurfaceSamples of the same names.
+  std::array<Lanes, 3> p, n, raw;
+  Lanes cell;
+};
+
+/// Fits inverse depth as an affine function a + b s + c t of the offsets from each cell's mean,
+/// which gives a position and a normal. A window's cells must be enough and not nearly on a line.
+QUADRILLE_VECTOR_CLONES
+void fit_lanes(CellWindow cells, const WindowLanes& m, float edge, const Eigen::Matrix4f& X_CV,
+               SampleLanes* samples) {
+  SampleLanes out;
+  const Eigen::Matrix4f X = X_CV;
+  for (int k = 0; k < kLanes; ++k) {
+    const float s = m.s[k] / m.n[k], t = m.t[k] / m.n[k], w = m.w[k] / m.n[k];
+    const float ss = m.ss[k] - m.n[k] * s * s, st = m.st[k] - m.n[k] * s * t;
+    const float tt = m.tt[k] - m.n[k] * t * t;
+    const float sw = m.sw[k] - m.n[k] * s * w, tw = m.tw[k] - m.n[k] * t * w;
+    const float det = ss * tt - st * st;
+    const float b = (tt * sw - st * tw) / det, c = (ss * tw - st * sw) / det;
+    const float a = w - b * s - c * t;
+    const int round = !(det < kMinRoundness * (ss + tt) * (ss + tt) * 0.25f);
+    const int enough = m.n[k] >= kMinCells, use = cells.usable[k] > 0.0f;
+    out.valid[k] = round & enough & use;
+
+    // On the plane n·x = d the inverse depth is 1/z = (n_x u + n_y v + n_z) / d.
+    const float u0 = cells.u[k], v0 = cells.v[k], w0 = cells.w[k], smooth_w = w0 + a;
+    const float nz = smooth_w - b * u0 - c * v0;
+    const float length = std::sqrt(b * b + (c * c + nz * nz));
+    const int away = b * u0 + (c * v0 + nz) > 0.0f;
+    const float sign = static_cast<float>(1 - 2 * away);
+    const float n0 = sign * (b / length), n1 = sign * (c / length), n2 = sign * (nz / length);
+    const float p0 = u0 / smooth_w, p1 = v0 / smooth_w, p2 = 1.0f / smooth_w;
+    const float raw0 = u0 / w0, raw1 = v0 / w0, raw2 = 1.0f / w0;
+    for (int i = 0; i < 3; ++i) {
+      out.p[i][k] = X(i, 0) * p0 + X(i, 1) * p1 + X(i, 2) * p2 + X(i, 3);
+      out.raw[i][k] = X(i, 0) * raw0 + X(i, 1) * raw1 + X(i, 2) * raw2 + X(i, 3);
+      out.n[i][k] = X(i, 0) * n0 + (X(i, 1) * n1 + X(i, 2) * n2);
+    }
+    out.cell[k] = edge / w0;
+  }
+  *samples = out;
+}
+
+Eigen::Vector3f element(const std::array<Lanes, 3>& lanes, int k) {
+  return {lanes[0][k], lanes[1][k], lanes[2][k]};
+}
+
+void reserve(std::size_t count, SurfaceSamples* samples) {
+  samples->p.reserve(count), samples->n.reserve(count), samples->raw.reserve(count);
+  samples->sigma.reserve(count), samples->cell.reserve(count), samples->count.reserve(count);
+  samples->source.reserve(count), samples->first.reserve(count + 1);
 }
 
 /// Links the samples of neighbouring cells whose depths continue each other.
 /// @param sample_of  per cell, its sample; -1 for none
+/// @param links      per sample, the linked neighbours of its cell
 void join_neighbours(const DepthCells& cells, const std::vector<int>& sample_of,
-                     SurfaceSamples* samples) {
-  const int width = cells.width, height = cells.height;
-  samples->first.reserve(samples->p.size() + 1);
+                     const std::vector<std::uint8_t>& links, SurfaceSamples* samples) {
+  const int width = cells.width;
+  const std::array<int, 8> offset = {-width - 1, -width,    -width + 1, -1,
+                                     1,          width - 1, width,      width + 1};
+  std::size_t total = 0;
+  for (const std::uint8_t list : links) total += static_cast<std::size_t>(std::popcount(list));
+  samples->neighbours.reserve(total);
   samples->first.push_back(0);
-  for (int k = 0; k < samples->size(); ++k) {
-    const int c = samples->source[k], i = c % width, j = c / width;
-    for (int y = std::max(0, j - 1); y <= std::min(height - 1, j + 1); ++y) {
-      for (int x = std::max(0, i - 1); x <= std::min(width - 1, i + 1); ++x) {
-        const int other = y * width + x;
-        if (other == c || sample_of[other] < 0) continue;
-        if (continuous(cells, cells.w[c], cells.w[other])) {
-          samples->neighbours.push_back(sample_of[other]);
-        }
-      }
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const int* const sample = sample_of.data() + samples->source[k];
+    for (unsigned list = links[k]; list != 0; list &= list - 1) {
+      const int other = sample[offset.data()[std::countr_zero(list)]];
+      if (other >= 0) samples->neighbours.push_back(other);
     }
     samples->first.push_back(static_cast<int>(samples->neighbours.size()));
   }
@@ -146,33 +214,39 @@ void join_neighbours(const DepthCells& cells, const std::vector<int>& sample_of,
 SurfaceSamples make_depth_samples(const DepthCells& cells, const Mask& keep,
                                   const NoiseModel& noise, const Eigen::Isometry3f& X_CV,
                                   int reach) {
-  Mask usable(static_cast<std::size_t>(cells.size()));
-  for (int c = 0; c < cells.size(); ++c) {
-    usable[c] = cells.count[c] > 0 && (keep.empty() || keep[c]);
-  }
+  const float edge = cells.tangent();
+  const BorderedCells bordered(cells, keep, reach);
+  const auto usable = static_cast<std::size_t>(bordered.count_usable());
   SurfaceSamples samples;
-  std::vector<int> sample_of(usable.size(), -1);
-  const BorderedCells bordered(cells, usable, reach);
+  reserve(usable, &samples);
+  std::vector<int> sample_of(static_cast<std::size_t>(cells.size()), -1);
+  std::vector<std::uint8_t> links;
+  links.reserve(usable);
   WindowLanes sums;
-  Lanes limit;
+  SampleLanes lanes;
+  Links linked;
   for (int j = 0; j < cells.height; ++j) {
     for (int first = 0; first < cells.width; first += kLanes) {
-      const int n = std::min(kLanes, cells.width - first), c0 = j * cells.width + first;
-      if (std::none_of(&usable[c0], &usable[c0] + n, [](char use) { return use != 0; })) continue;
-      for (int k = 0; k < n; ++k) {
-        limit[k] = continuous_step(cells, cells.w[c0 + k]) * static_cast<float>(reach);
-      }
-      sum_windows(bordered, (j + reach) * bordered.stride + reach + first, reach, limit, &sums);
-      for (int c = c0; c < c0 + n; ++c) {
-        const std::optional<AffineFit> fit =
-            usable[c] ? solve(sums[c - c0]) : std::optional<AffineFit>();
-        if (!fit) continue;
+      const CellWindow window = bordered.at(first, j);
+      if (!sum_windows(window, reach, edge, &sums)) continue;
+      fit_lanes(window, sums, edge, X_CV.matrix(), &lanes);
+      find_links(window, edge, &linked);
+      for (int k = 0; k < std::min(kLanes, cells.width - first); ++k) {
+        if (!lanes.valid[k]) continue;
+        const int c = j * cells.width + first + k;
         sample_of[c] = samples.size();
-        add_sample(cells, c, *fit, noise, X_CV, &samples);
+        samples.p.push_back(element(lanes.p, k));
+        samples.n.push_back(element(lanes.n, k));
+        samples.raw.push_back(element(lanes.raw, k));
+        samples.sigma.push_back(noise.sigma(1.0f / cells.w[c]));
+        samples.cell.push_back(lanes.cell[k]);
+        samples.count.push_back(cells.count[c]);
+        samples.source.push_back(c);
+        links.push_back(static_cast<std::uint8_t>(linked[k]));
       }
     }
   }
-  join_neighbours(cells, sample_of, &samples);
+  join_neighbours(cells, sample_of, links, &samples);
   return samples;
 }
 
