@@ -16,6 +16,14 @@ double diameter_of(const CloudView& cloud) {
 
 }  // namespace
 
+void CellPyramid::visit_points(const CloudView& cloud, std::size_t step, std::span<const int> owner,
+                               const VisitPoint& visit) const {
+  for (std::size_t k = 0; k < cloud.points.size(); k += step) {
+    const int cell = cell_of(cloud.points[k]);
+    if (cell >= 0 && owner[cell] >= 0) visit(k, cell);
+  }
+}
+
 std::unique_ptr<CellPyramid> make_pyramid(const CloudView& cloud, const SamplingOptions& given) {
   SamplingOptions options = given;
   if (options.relative_cell > 0.0) options.cell = options.relative_cell * diameter_of(cloud);

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/mask.hpp"
@@ -31,9 +35,20 @@ class CellPyramid {
   virtual int count(int cell) const = 0;
   virtual Eigen::Vector3f mean(int cell) const = 0;
   virtual float sigma(int cell) const = 0;
+  /// Bounds of sigma(cell), cheaper than it; the least and the most that it may be [m].
+  virtual std::pair<float, float> sigma_bounds(int cell) const {
+    const float exact = sigma(cell);
+    return {exact, exact};
+  }
   /// The finest cell that contains a point of the cloud [m]. It is −1 if the point is not finite,
   /// not seen, or on the other side of a depth edge.
   virtual int cell_of(const Eigen::Vector3f& point) const = 0;
+  /// Receives the number of a point and its finest cell.
+  using VisitPoint = std::function<void(std::size_t point, int cell)>;
+  /// Visits every step-th point of the cloud that has a cell with an owner.
+  /// @param owner  for each finest cell, negative for those without an owner
+  virtual void visit_points(const CloudView& cloud, std::size_t step, std::span<const int> owner,
+                            const VisitPoint& visit) const;
   /// The depth seen along the ray of each finest cell; empty if the cells do not belong to one
   /// view.
   virtual Sight sight() const { return {}; }

@@ -10,19 +10,15 @@ constexpr std::size_t kPoints = 50'000;
 
 }  // namespace
 
-std::vector<Eigen::Matrix3f> scatter_in_cells(const CloudView& cloud, const CellPyramid& pyramid,
-                                              std::span<const int> owner) {
-  std::vector<Eigen::Matrix3f> scatter(owner.size(), Eigen::Matrix3f::Zero());
+void scatter_in_cells(const CloudView& cloud, const CellPyramid& pyramid,
+                      std::span<const int> number, std::vector<Eigen::Matrix3f>* scatter) {
   // An odd step meets other columns in each row of most images, whose width is even.
   const std::size_t step = cloud.points.size() / kPoints | 1;
-  for (std::size_t k = 0; k < cloud.points.size(); k += step) {
-    const int cell = pyramid.cell_of(cloud.points[k]);
-    if (cell < 0 || owner[cell] < 0) continue;
+  pyramid.visit_points(cloud, step, number, [&](std::size_t k, int cell) {
     const Eigen::Vector3f x = cloud.points[k] - pyramid.mean(cell);
     const float weight = static_cast<float>(step) / static_cast<float>(pyramid.count(cell));
-    scatter[cell] += weight * x * x.transpose();
-  }
-  return scatter;
+    (*scatter)[number[cell]] += weight * x * x.transpose();
+  });
 }
 
 }  // namespace quadrille

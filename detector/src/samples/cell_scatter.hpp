@@ -9,11 +9,14 @@
 
 namespace quadrille {
 
-/// Estimates the covariance of the points within each finest cell about the cell's mean, in frame C
-/// [m²]; zero for cells without an owner. Each point that is looked at stands for those that are
-/// not, so that the estimate is rough for one cell and right on average over many.
-/// @param owner  for each finest cell, its owner; −1 for none
-std::vector<Eigen::Matrix3f> scatter_in_cells(const CloudView& cloud, const CellPyramid& pyramid,
-                                              std::span<const int> owner);
+/// Estimates the covariance of the points within finest cells about each cell's mean, in frame C
+/// [m²]. Each point that is looked at stands for those that are not, so that the estimate is rough
+/// for one cell and right on average over many.
+/// @param number   for each finest cell, where in the list its covariance belongs; −1 for those
+/// that
+///   are not asked for
+/// @param scatter  the list, which is added to
+void scatter_in_cells(const CloudView& cloud, const CellPyramid& pyramid,
+                      std::span<const int> number, std::vector<Eigen::Matrix3f>* scatter);
 
 }  // namespace quadrille

@@ -42,9 +42,15 @@ OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
     const Eigen::Vector3f ray = sighted ? (samples.raw[i] - eyes[view]).normalized() : n;
     const float cosine = n.dot(ray);
     if (!(std::abs(cosine) >= kMinCosine)) continue;
+    // Of many cells no point was looked at, so that nothing moves their means.
+    if (scatter[i].trace() == 0.0f) {
+      points.points.col(kept) = x;
+      points.normals.col(kept++) = points.normals.col(k).eval();
+      continue;
+    }
     // The map of a point's offset from its cell's mean to the surface, along the line of sight.
     const Eigen::Matrix3f T = Eigen::Matrix3f::Identity() - ray * n.transpose() / cosine;
-    const Eigen::Matrix3f S = T * scatter[samples.source[i]] * T.transpose() / square;
+    const Eigen::Matrix3f S = T * scatter[i] * T.transpose() / square;
     const float off = Q.topLeftCorner<3, 3>().cwiseProduct(S).sum() / (2.0f * slope);
     points.points.col(kept) = x + off * n;
     points.normals.col(kept++) = points.normals.col(k).eval();

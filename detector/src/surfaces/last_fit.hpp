@@ -17,7 +17,7 @@ namespace quadrille {
 /// covariance of the points along the surface, the mean of f = xᵀQx over them is f(m) + tr(Q₃ S),
 /// with Q₃ the quadratic part of Q. It is zero if the points lie on the surface, so that m is tr(Q₃
 /// S) / |∇f| off.
-/// @param scatter  covariance of the points in each finest cell [m²]; see scatter_in_cells()
+/// @param scatter  covariance of the points in each sample's cell [m²]; see scatter_in_cells()
 /// @param sights   the views, whose depth noise does not count as scatter; in a view without cells,
 ///   the noise is taken to lie along the normals
 /// @param outline  the outline of lids that may close the surface; empty if it is no cylinder. It

@@ -24,15 +24,13 @@ PointRms::PointRms(std::span<const Quadric> quadrics) : sums_(quadrics.size()) {
 
 void PointRms::add(const CloudView& cloud, const CellPyramid& pyramid, std::span<const int> owner) {
   const std::size_t step = std::max<std::size_t>(1, cloud.points.size() / kPoints);
-  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
-    const int cell = pyramid.cell_of(cloud.points[i]);
-    if (cell < 0 || owner[cell] < 0) continue;
+  pyramid.visit_points(cloud, step, owner, [&](std::size_t i, int cell) {
     const double d = distance_to(Q_[owner[cell]], cloud.points[i]);
-    if (!std::isfinite(d)) continue;
+    if (!std::isfinite(d)) return;
     Sums& s = sums_[owner[cell]];
     ++s.n;
     s.squares += d * d;
-  }
+  });
 }
 
 std::vector<double> PointRms::values() const {

@@ -66,27 +66,42 @@ struct Measured {
   PlacesOnPlanes places;
 };
 
+/// The covariance of the points in the cell of each finest sample [m²]; zero for samples that are
+/// not asked for.
+/// @param sample_of  for each finest cell of all views, its sample; −1 for none
+std::vector<Eigen::Matrix3f> scatter_of(const Scene& scene, const std::vector<int>& sample_of) {
+  std::vector<Eigen::Matrix3f> scatter(scene.finest.p.size(), Eigen::Matrix3f::Zero());
+  for (const ViewCells& view : scene.views) {
+    const std::span<const int> samples = part_of(sample_of, view);
+    if (view.has_points()) {
+      scatter_in_cells(view.cloud, *view.pyramid, samples, &scatter);
+      continue;
+    }
+    for (std::size_t c = 0; c < samples.size(); ++c) {
+      if (samples[c] >= 0) scatter[samples[c]] = view.scatter[c];
+    }
+  }
+  return scatter;
+}
+
 /// @param only  the types that are asked for
 void measure_surfaces(const Scene& scene, const std::vector<QuadricType>& only,
                       std::span<DirectionsOnDemand> directions, Measured* measured) {
   const bool seeks_cylinders =
       lets_pass(only, QuadricType::kCylinder) || lets_pass(only, QuadricType::kEllipticCylinder);
   std::vector<Surface> surfaces;
+  // For each finest cell of all views, its sample on a surface.
+  std::vector<int> sample_of(measured->owner.size(), -1);
   for (const Surface& surface : scene.surfaces) {
     if (is_flat(surface) && is_part_of(surface, scene.finest, scene.planes, scene.coarse)) continue;
     for (const int i : surface.region) {
-      measured->owner[scene.finest.source[i]] = static_cast<int>(surfaces.size());
+      const int cell = scene.finest.source[i];
+      measured->owner[cell] = static_cast<int>(surfaces.size());
+      sample_of[cell] = i;
     }
     surfaces.push_back(surface);
   }
-  std::vector<Eigen::Matrix3f> scatter;
-  for (const ViewCells& view : scene.views) {
-    const std::vector<Eigen::Matrix3f> own =
-        view.has_points()
-            ? scatter_in_cells(view.cloud, *view.pyramid, part_of(measured->owner, view))
-            : view.scatter;
-    scatter.insert(scatter.end(), own.begin(), own.end());
-  }
+  const std::vector<Eigen::Matrix3f> scatter = scatter_of(scene, sample_of);
   const std::vector<Sight>& sights = scene.context.sights;
   for (Surface& surface : surfaces) {
     std::vector<OutlinePoint> outline;
@@ -158,7 +173,8 @@ constexpr int kNotAsked = std::numeric_limits<int>::min();
 std::size_t count_points(const Scene& scene) {
   std::size_t count = 0;
   for (const ViewCells& view : scene.views) {
-    for (int c = 0; view.has_points() && c < view.size(); ++c) {
+    const int size = view.has_points() ? view.size() : 0;
+    for (int c = 0; c < size; ++c) {
       count += static_cast<std::size_t>(view.pyramid->count(c));
     }
   }

@@ -117,15 +117,16 @@ KeptParts kept_parts(const Scene& view) {
   KeptParts kept{parts_of(view), {}, {}, view.viewpoint(), view.context.sights.front()};
   ViewParts& parts = kept.parts;
   const ViewCells& cells = view.views.front();
-  std::vector<int> owner(static_cast<std::size_t>(cells.size()), -1);
-  for (const int cell : parts.finest.source) owner[cell] = 0;
-  const std::vector<Eigen::Matrix3f> scatter = scatter_in_cells(cells.cloud, *cells.pyramid, owner);
+  std::vector<int> number(static_cast<std::size_t>(cells.size()), -1);
   std::vector<int> planes;
   for (int& cell : parts.finest.source) {
-    kept.scatter.push_back(scatter[cell]);
+    const int sample = static_cast<int>(planes.size());
+    number[cell] = sample;
     planes.push_back(parts.plane_of_cell[cell]);
-    cell = static_cast<int>(planes.size()) - 1;
+    cell = sample;
   }
+  kept.scatter.assign(planes.size(), Eigen::Matrix3f::Zero());
+  scatter_in_cells(cells.cloud, *cells.pyramid, number, &kept.scatter);
   parts.plane_of_cell = std::move(planes);
   std::iota(parts.coarse.source.begin(), parts.coarse.source.end(), 0);
   return kept;

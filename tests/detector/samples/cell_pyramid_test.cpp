@@ -48,17 +48,40 @@ PointCloud all_around(double noise) {
   return cloud;
 }
 
+/// Compares the points that are visited with the cells of the points one by one; every third cell
+/// has no owner.
+void check_visits(const CellPyramid& pyramid, const PointCloud& cloud) {
+  constexpr std::size_t kStep = 3;
+  std::vector<int> owner(static_cast<std::size_t>(pyramid.size(0)), 0);
+  for (std::size_t c = 0; c < owner.size(); c += 3) owner[c] = -1;
+  std::vector<std::pair<std::size_t, int>> expected, visited;
+  for (std::size_t k = 0; k < cloud.points.size(); k += kStep) {
+    const int cell = pyramid.cell_of(cloud.points[k]);
+    if (cell >= 0 && owner[cell] >= 0) expected.emplace_back(k, cell);
+  }
+  pyramid.visit_points(cloud, kStep, owner,
+                       [&](std::size_t k, int cell) { visited.emplace_back(k, cell); });
+  CHECK(expected.size() > cloud.points.size() / kStep / 2);
+  CHECK(visited == expected);
+}
+
 /// What holds of a pyramid of either kind.
-void check_pyramid(const CellPyramid& pyramid, std::size_t points) {
+void check_pyramid(const CellPyramid& pyramid, const PointCloud& cloud) {
+  const std::size_t points = cloud.points.size();
   std::size_t total = 0;
   for (int c = 0; c < pyramid.size(0); ++c) {
     total += static_cast<std::size_t>(pyramid.count(c));
     if (pyramid.count(c) == 0) continue;
     REQUIRE(pyramid.mean(c).allFinite());
     REQUIRE(pyramid.sigma(c) > 0.0f);
+    const auto [least, most] = pyramid.sigma_bounds(c);
+    REQUIRE(least <= pyramid.sigma(c));
+    REQUIRE(most >= pyramid.sigma(c));
+    if (pyramid.view()) REQUIRE(most < 1.2f * least);
   }
   CHECK(total <= points);
   CHECK(total > points * 95 / 100);
+  check_visits(pyramid, cloud);
   for (int l = 0; l + 1 < kLevels; ++l) {
     CHECK(pyramid.size(l + 1) < pyramid.size(l));
     for (int c = 0; c < pyramid.size(l); ++c) {
@@ -84,7 +107,7 @@ TEST_CASE("a single view becomes a pyramid of depth cells", "[pyramid]") {
   const PointCloud cloud = render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)});
   const auto pyramid = make_depth_pyramid(cloud, {});
   REQUIRE(pyramid);
-  check_pyramid(*pyramid, cloud.points.size());
+  check_pyramid(*pyramid, cloud);
   // 3.1 mm cells at 1 m are one pixel of 3.3 mm.
   CHECK(pyramid->size(0) == 320 * 240);
   CHECK(make_pyramid(cloud, {})->size(0) == pyramid->size(0));
@@ -124,7 +147,7 @@ TEST_CASE("a cloud fused from two sides has no depth grid and becomes voxels", "
   CHECK_FALSE(make_depth_pyramid(cloud, {}));
   const auto pyramid = make_pyramid(cloud, {});
   REQUIRE(pyramid);
-  check_pyramid(*pyramid, cloud.points.size());
+  check_pyramid(*pyramid, cloud);
   // About one voxel per cell face of the surface 4πr², and more where it runs across them.
   const double faces = 4 * M_PI * kRadius * kRadius / (0.0031 * 0.0031);
   CHECK(pyramid->size(0) > faces);

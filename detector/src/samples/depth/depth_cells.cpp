@@ -23,6 +23,21 @@ CellGrid grid_of(const DepthCells& cells) {
           cells.height};
 }
 
+QUADRILLE_VECTOR_CLONES
+void look_up_cells(CellGrid grid, const SeenPoints& t, std::array<int, SeenPoints::kSize>* cells) {
+  std::array<int, SeenPoints::kSize> found;
+  for (int k = 0; k < SeenPoints::kSize; ++k) {
+    const float x = (t.u[k] - grid.u0) * grid.per_unit, y = (t.v[k] - grid.v0) * grid.per_unit;
+    const int i = static_cast<int>(x), j = static_cast<int>(y);
+    // The casts round towards 0, so those of small negative numbers are inside; these are not.
+    const int outside = static_cast<int>(x < 0.0f) | static_cast<int>(y < 0.0f) |
+                        static_cast<int>(i >= grid.width) | static_cast<int>(j >= grid.height) |
+                        static_cast<int>(!(t.w[k] > 0.0f));
+    found[k] = (j * grid.width + i) | -outside;
+  }
+  *cells = found;
+}
+
 /// Nonzero for cells whose points do not continue each other.
 using TornLanes = std::array<int, kLanes>;
 
@@ -279,6 +294,11 @@ void join_side_of_middle(const DepthCells& fine, const FineRows& rows, int i, in
 
 }  // namespace
 
+void DepthCells::look_up(const SeenPoints& points,
+                         std::array<int, SeenPoints::kSize>* cells) const {
+  look_up_cells(grid_of(*this), points, cells);
+}
+
 int DepthCells::cell_of(const Eigen::Vector3f& uvw) const {
   if (!(uvw.z() > 0.0f)) return -1;
   const CellGrid grid = grid_of(*this);
@@ -287,7 +307,11 @@ int DepthCells::cell_of(const Eigen::Vector3f& uvw) const {
   const int i = static_cast<int>(x), j = static_cast<int>(y);
   if (i >= width || j >= height) return -1;
   const int c = j * width + i;
-  return count[c] > 0 && continuous(*this, uvw.z(), w[c]) ? c : -1;
+  return holds(c, uvw.z()) ? c : -1;
+}
+
+bool DepthCells::holds(int c, float w_point) const {
+  return count[c] > 0 && continuous(*this, w_point, w[c]);
 }
 
 DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,

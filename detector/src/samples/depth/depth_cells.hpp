@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -39,6 +40,12 @@ struct DepthCells {
   /// The cell that contains a point, given its tangents and inverse depth; −1 if the point lies
   /// outside the image or on the other side of a depth edge.
   int cell_of(const Eigen::Vector3f& uvw) const;
+  /// The cells in whose directions points were seen, −1 outside the image or if unseen; depth edges
+  /// do not matter.
+  void look_up(const SeenPoints& points, std::array<int, SeenPoints::kSize>* cells) const;
+  /// True if a point of inverse depth w_point in the direction of cell c is on no other side of a
+  /// depth edge than the cell's own points.
+  bool holds(int c, float w_point) const;
   /// Position of the mean of cell i in frame V [m].
   Eigen::Vector3f position_V(int i) const { return Eigen::Vector3f(u[i], v[i], 1.0f) / w[i]; }
 };

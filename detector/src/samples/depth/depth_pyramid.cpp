@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "base/quantile.hpp"
 #include "cloud/some_points.hpp"
@@ -20,13 +24,44 @@ constexpr double kMaxLayered = 0.002;
 constexpr int kPlaneReach = 1, kReach = 2;
 
 std::vector<int> parents_of(const DepthCells& fine, const DepthCells& coarse) {
-  std::vector<int> parents;
-  parents.reserve(fine.count.size());
+  std::vector<int> parents(fine.count.size());
+  int* parent = parents.data();
   for (int j = 0; j < fine.height; ++j) {
-    for (int i = 0; i < fine.width; ++i) parents.push_back((j / 2) * coarse.width + i / 2);
+    const int first = (j / 2) * coarse.width;
+    for (int i = 0; i < fine.width; ++i) *parent++ = first + i / 2;
   }
   return parents;
 }
+
+/// Bounds of the noise at any depth, since the noise itself takes a power. It grows with depth, so
+/// it lies between those at the ends of an interval of depths.
+class SigmaBounds {
+ public:
+  explicit SigmaBounds(const NoiseModel& noise) {
+    for (std::uint32_t k = 0; k <= kIntervals; ++k) {
+      at_.push_back(noise.sigma(std::bit_cast<float>((kFirst + k) << kShift)));
+    }
+  }
+  /// The least and the most that the noise may be at depth z [m].
+  std::pair<float, float> operator()(float z) const {
+    const std::uint32_t k = (std::bit_cast<std::uint32_t>(z) >> kShift) - kFirst;
+    if (k >= kIntervals) return {0.0f, std::numeric_limits<float>::infinity()};
+    return {at_.data()[k] * (1.0f - kRounding), at_.data()[k + 1] * (1.0f + kRounding)};
+  }
+
+ private:
+  // The upper bits of a number divide each power of two into 32 intervals of equal length.
+  static constexpr int kShift = 18;
+  // The intervals from 1/8 m to 8 m, where nearly all points are.
+  static constexpr std::uint32_t kFirst = std::bit_cast<std::uint32_t>(0.125f) >> kShift;
+  static constexpr std::uint32_t kIntervals =
+      (std::bit_cast<std::uint32_t>(8.0f) >> kShift) - kFirst;
+  // More than the error of a power.
+  static constexpr float kRounding = 1e-5f;
+
+  /// The noise at the beginnings of the intervals and at the end of the last [m].
+  std::vector<float> at_;
+};
 
 class DepthPyramid : public CellPyramid {
  public:
@@ -37,6 +72,7 @@ class DepthPyramid : public CellPyramid {
         X_CV_(view.X_VC.inverse()),
         cells_(std::move(cells)),
         noise_(std::move(noise)),
+        sigma_bounds_(noise_.front()),
         common_noise_(common_share(noise_.front().sigma(z), noise_.back().sigma(z))) {
     for (int l = 0; l + 1 < kLevels; ++l) parents_[l] = parents_of(cells_[l], cells_[l + 1]);
   }
@@ -46,8 +82,27 @@ class DepthPyramid : public CellPyramid {
   int count(int cell) const override { return cells_[0].count[cell]; }
   Eigen::Vector3f mean(int cell) const override { return X_CV_ * cells_[0].position_V(cell); }
   float sigma(int cell) const override { return noise_[0].sigma(1.0f / cells_[0].w[cell]); }
+  std::pair<float, float> sigma_bounds(int cell) const override {
+    return sigma_bounds_(1.0f / cells_[0].w[cell]);
+  }
   int cell_of(const Eigen::Vector3f& point) const override {
     return cells_[0].cell_of(view_(point));
+  }
+  void visit_points(const CloudView& cloud, std::size_t step, std::span<const int> owner,
+                    const VisitPoint& visit) const override {
+    const DepthCells& cells = cells_[0];
+    PinholeView view = view_;
+    view.stride = static_cast<int>(step);
+    for (std::size_t k = 0; k < view.looked_at(cloud.points.size()); k += SeenPoints::kSize) {
+      const SeenPoints t = view.look(cloud.points, k);
+      std::array<int, SeenPoints::kSize> found;
+      cells.look_up(t, &found);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const int c = found[i];
+        if (c < 0 || owner[c] < 0 || !cells.holds(c, t.w[i])) continue;
+        visit((k + i) * step, c);
+      }
+    }
   }
 
   Sight sight() const override {
@@ -81,6 +136,7 @@ class DepthPyramid : public CellPyramid {
   Eigen::Isometry3f X_CV_;
   std::array<DepthCells, kLevels> cells_;
   std::vector<NoiseModel> noise_;
+  SigmaBounds sigma_bounds_;
   double common_noise_;
   std::array<std::vector<int>, kLevels - 1> parents_;
 };
