@@ -37,12 +37,14 @@ Eigen::Vector4d plane_towards(const Eigen::Vector3f& side, const PlaneSums& sums
 /// within the angle [rad].
 std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle, const Mask& free) {
   const float min_cosine = static_cast<float>(std::cos(angle));
+  const Eigen::Vector3f* const n = samples.n.data();
   std::vector<std::pair<float, int>> flat;
   for (int i = 0; i < samples.size(); ++i) {
+    if (!free.empty() && !free[i]) continue;
     const auto around = samples.neighbours_of(i);
-    if (around.size() < kMinSeedNeighbours || (!free.empty() && !free[i])) continue;
+    if (around.size() < kMinSeedNeighbours) continue;
     float sum = 0;
-    for (const int j : around) sum += samples.n[i].dot(samples.n[j]);
+    for (const int j : around) sum += n[i].dot(n[j]);
     const float mean = sum / static_cast<float>(around.size());
     if (mean >= min_cosine) flat.emplace_back(-mean, i);
   }
@@ -178,33 +180,45 @@ std::optional<Eigen::Vector4d> plane_at(const SurfaceSamples& samples, int seed,
   return plane_towards(samples.n[seed], sums);
 }
 
+/// Adds those samples of a region that are not in the sums yet.
+void add_samples_to(PlaneSums* sums, const SurfaceSamples& samples,
+                    const std::vector<int>& region) {
+  for (auto k = static_cast<std::size_t>(sums->n); k < region.size(); ++k) {
+    sums->add(samples.raw[region[k]].cast<double>());
+  }
+}
+
 /// Grows a plane over free neighbours that are near it and parallel to it, and marks them with the
 /// number of the attempt.
+/// @param start  the first plane, which the region keeps
+/// @param sums   receives the sums over the samples at the last refit; most attempts end before one
 PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& options, int seed,
-                       const Eigen::Vector4d& start, int attempt, std::vector<int>* taken) {
+                       const Eigen::Vector4d& start, int attempt, std::vector<int>* taken,
+                       PlaneSums* sums) {
   const float min_cosine = static_cast<float>(std::cos(options.angle));
   const float sigmas = static_cast<float>(options.sigmas);
+  // Most time is spent here, so indices are not checked.
+  const Eigen::Vector3f *const raw = samples.raw.data(), *const n = samples.n.data();
+  const float *const sigma = samples.sigma.data(), *const cell = samples.cell.data();
+  int* const taken_by = taken->data();
   PlaneRegion region{start, {seed}};
-  PlaneSums sums;
-  sums.add(samples.raw[seed].cast<double>());
   Eigen::Vector4f P = start.cast<float>();
   std::size_t refit_at = kFirstRefit;
   for (std::size_t k = 0; k < region.samples.size(); ++k) {
     for (const int j : samples.neighbours_of(region.samples[k])) {
-      if ((*taken)[j]) continue;
-      const float distance = P.dot(samples.raw[j].homogeneous());
-      const float limit = sigmas * samples.sigma[j] + kCellShare * samples.cell[j];
-      if (std::abs(distance) > limit || P.head<3>().dot(samples.n[j]) < min_cosine) continue;
-      (*taken)[j] = attempt;
+      if (taken_by[j]) continue;
+      const float distance = P.dot(raw[j].homogeneous());
+      const float limit = sigmas * sigma[j] + kCellShare * cell[j];
+      if (std::abs(distance) > limit || P.head<3>().dot(n[j]) < min_cosine) continue;
+      taken_by[j] = attempt;
       region.samples.push_back(j);
-      sums.add(samples.raw[j].cast<double>());
     }
     if (region.samples.size() >= refit_at) {
-      P = plane_towards(samples.n[seed], sums).cast<float>();
+      add_samples_to(sums, samples, region.samples);
+      P = plane_towards(n[seed], *sums).cast<float>();
       refit_at = region.samples.size() * 2;
     }
   }
-  if (sums.n >= 3) region.plane = plane_towards(samples.n[seed], sums);
   return region;
 }
 
@@ -229,10 +243,15 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
     taken[seed] = ++attempt;
     const std::optional<Eigen::Vector4d> start = plane_at(samples, seed, taken);
     if (!start) continue;
-    PlaneRegion region = grow_plane(samples, options, seed, *start, attempt, &taken);
+    PlaneSums sums;
+    PlaneRegion region = grow_plane(samples, options, seed, *start, attempt, &taken, &sums);
     if (static_cast<int>(region.samples.size()) < options.min_samples) {
       for (const int i : region.samples) taken[i] = i == seed ? attempt : 0;
-    } else if (may_bend(samples, region, options)) {
+      continue;
+    }
+    add_samples_to(&sums, samples, region.samples);
+    if (sums.n >= 3) region.plane = plane_towards(samples.n[seed], sums);
+    if (may_bend(samples, region, options)) {
       // Smaller pieces of a bent surface would pass for planes, so none of its samples becomes a
       // seed.
       for (const int i : region.samples) {
