@@ -11,6 +11,7 @@
 #include "base/stage_clock.hpp"
 #include "cloud/cloud_check.hpp"
 #include "cloud/far_cloud.hpp"
+#include "cloud/viewpoint_check.hpp"
 #include "detect_with.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
 #include "views/findings.hpp"
@@ -112,7 +113,7 @@ DetectionResult detect_checked(const UsableViews& views, std::size_t all,
   result.bodies = std::move(found.bodies);
   result.points_used = found.points_used;
   for (std::size_t v = 0; v < views.clouds.size(); ++v) {
-    const std::string doubt = contradict_viewpoint(views.clouds[v], result.detections);
+    const std::string doubt = contradict_viewpoint_in_range(views.clouds[v], result.detections);
     if (!doubt.empty()) result.warnings.push_back(of_view(views.numbers[v], all, doubt));
   }
   clock.end("viewpoint");

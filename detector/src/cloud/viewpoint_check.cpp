@@ -1,3 +1,5 @@
+#include "cloud/viewpoint_check.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -201,7 +203,11 @@ std::string behind_plane(const CloudView& cloud, const Points& rays,
 
 std::string contradict_viewpoint(const CloudView& given, const std::vector<Detection>& detections) {
   const RangeCheck range = check_range(given);
-  const CloudView cloud = range.kept(given);
+  return contradict_viewpoint_in_range(range.kept(given), detections);
+}
+
+std::string contradict_viewpoint_in_range(const CloudView& cloud,
+                                          const std::vector<Detection>& detections) {
   const std::string remedy = "name where the sensor stood (--viewpoint or --camera-pose)";
   if (!cloud.viewpoint.allFinite()) return "the viewpoint of the cloud is not known; " + remedy;
   const Points rays = rays_of(cloud);
