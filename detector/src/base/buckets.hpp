@@ -33,8 +33,10 @@ inline Buckets sort_into_buckets(std::span<const int> bucket, int size) {
   std::partial_sum(buckets.first.begin(), buckets.first.end(), buckets.first.begin());
   buckets.list.resize(static_cast<std::size_t>(buckets.first.back()));
   int* const list = buckets.list.data();
-  for (std::size_t i = 0; i < bucket.size(); ++i) {
-    if (bucket[i] >= 0) list[next[bucket[i]]++] = static_cast<int>(i);
+  int i = 0;
+  for (const int b : bucket) {
+    if (b >= 0) list[next[b]++] = i;
+    ++i;
   }
   buckets.first.pop_back();
   return buckets;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/vector_clones.hpp"
+#include "cloud/look_at.hpp"
 
 namespace quadrille {
 namespace {
@@ -19,9 +21,13 @@ struct TileGrid {
   int width, last_i, last_j;
 };
 
-/// Finds the tiles of points, −1 for unseen points. No point lies left of or above the image.
+/// Looks at points and finds their tiles, −1 for unseen points. No point lies left of or above the
+/// image.
+/// @param first  number of the first of kSize points
 QUADRILLE_VECTOR_CLONES
-void find_tiles(TileGrid grid, const SeenPoints& t, int* tile) {
+void find_tiles(const PinholeView& view, std::span<const Eigen::Vector3f> points, std::size_t first,
+                TileGrid grid, int* tile) {
+  const SeenPoints t = look_at(view, points, first);
   for (int k = 0; k < SeenPoints::kSize; ++k) {
     const int i = std::min(static_cast<int>((t.u[k] - grid.u0) * grid.per_unit), grid.last_i);
     const int j = std::min(static_cast<int>((t.v[k] - grid.v0) * grid.per_unit), grid.last_j);
@@ -44,11 +50,13 @@ DirectionIndex::DirectionIndex(const CloudView& cloud, const std::optional<Pinho
   height_ = 1 + static_cast<int>(size.y() * per_unit_);
   const Eigen::Vector2f& corner = view_->bounds.min();
   const TileGrid grid{corner.x(), corner.y(), per_unit_, width_, width_ - 1, height_ - 1};
-  std::vector<int> tile((cloud.points.size() + kSize - 1) / kSize * kSize);
-  for (std::size_t first = 0; first < tile.size(); first += kSize) {
-    find_tiles(grid, view_->look(cloud.points, first), tile.data() + first);
+  const std::size_t looked = (cloud.points.size() + kSize - 1) / kSize * kSize;
+  // All of it is filled, so it is not set to 0 first.
+  const auto tile = std::make_unique_for_overwrite<int[]>(looked);
+  for (std::size_t first = 0; first < looked; first += kSize) {
+    find_tiles(*view_, cloud.points, first, grid, tile.get() + first);
   }
-  tiles_ = sort_into_buckets(tile, width_ * height_);
+  tiles_ = sort_into_buckets({tile.get(), looked}, width_ * height_);
 }
 
 Eigen::Vector2i DirectionIndex::tile_of(const Eigen::Vector2f& tangents) const {
@@ -108,14 +116,14 @@ std::vector<Eigen::Vector3d> DirectionIndex::thinned(const Tiles& tiles, int sid
   const Eigen::Vector2i low = tiles.low / side, high = tiles.high / side;
   std::vector<Eigen::Vector3d> points;
   points.reserve(static_cast<std::size_t>((high - low + Eigen::Vector2i::Ones()).prod()));
+  const int *const first = tiles_.first.data(), *const list = tiles_.list.data();
   for (int j = low.y(); j <= high.y(); ++j) {
-    const int end = std::min((j + 1) * side, height_);
+    const int end = std::min((j + 1) * side, height_) * width_;
     for (int i = low.x(); i <= high.x(); ++i) {
-      const int to = std::min((i + 1) * side, width_) - 1;
-      for (int row = j * side; row < end; ++row) {
-        const std::span<const int> some = points_in(row, i * side, to);
-        if (some.empty()) continue;
-        points.push_back(cloud_.points[some.front()].cast<double>());
+      const int to = std::min((i + 1) * side, width_), tiles_in_row = to - i * side;
+      for (int tile = j * side * width_ + i * side; tile < end; tile += width_) {
+        if (first[tile] == first[tile + tiles_in_row]) continue;
+        points.push_back(cloud_.points.data()[list[first[tile]]].cast<double>());
         break;
       }
     }

@@ -9,6 +9,7 @@
 #include "base/quantile.hpp"
 #include "base/symmetric_eigen.hpp"
 #include "boxes/connected_pieces.hpp"
+#include "boxes/onto_plane.hpp"
 #include "cloud/some_points.hpp"
 #include "samples/height_fit.hpp"
 
@@ -128,14 +129,7 @@ Eigen::Vector3d outward_normal(const Detection& plane) {
 double Face::tolerance() const { return std::clamp(3.0 * sigma, kMinTolerance, kMaxTolerance); }
 
 Eigen::Vector3d Face::on_plane(const Eigen::Vector3d& p_C, const DirectionIndex& sight) const {
-  if (sight.single()) {
-    const Eigen::Vector3d ray = p_C - sight.eye();
-    const double fall = n_C.dot(ray);
-    if (fall * fall > kMinCosine * kMinCosine * ray.squaredNorm()) {
-      return sight.eye() - ray * (height(sight.eye()) / fall);
-    }
-  }
-  return p_C - height(p_C) * n_C;
+  return OntoPlane(*this, sight)(p_C);
 }
 
 double Face::pitch_along(const Eigen::Vector3d& u_C, const DirectionIndex& sight) const {
@@ -183,11 +177,12 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
   const double tolerance = whole.tolerance();
 
   const Eigen::Isometry3d X_PC = patch.X_CP.inverse();
+  const OntoPlane onto_plane(whole, sight);
   std::vector<Eigen::Vector3d> measured_C;
   std::vector<Eigen::Vector2d> places;
   for (const Eigen::Vector3d& p : points) {
     if (std::abs(whole.height(p)) > tolerance) continue;
-    const Eigen::Vector3d on_C = whole.on_plane(p, sight);
+    const Eigen::Vector3d on_C = onto_plane(p);
     const Eigen::Vector2d place = (X_PC * on_C).head<2>();
     if (!(place.cwiseAbs().array() < patch.half.array() + kMaxTolerance).all()) continue;
     measured_C.push_back(p);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/quantile.hpp"
+#include "boxes/onto_plane.hpp"
 
 namespace quadrille {
 namespace {
@@ -132,8 +133,9 @@ std::vector<SeenThrough> look_through(const Face& face,
   const double away = sight.single() && face.height(sight.eye()) < 0.0 ? -1.0 : 1.0;
   std::vector<SeenThrough> seen;
   seen.reserve(points_C.size());
+  const OntoPlane onto_plane(face, sight);
   for (const Eigen::Vector3d& p : points_C) {
-    seen.push_back({p, face.on_plane(p, sight), away * face.height(p)});
+    seen.push_back({p, onto_plane(p), away * face.height(p)});
   }
   return seen;
 }
