@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "base/quantile.hpp"
@@ -46,17 +47,22 @@ std::vector<Eigen::Vector3d> canonical_points(const Surface& surface, const Surf
   return points;
 }
 
-Eigen::AlignedBox3d trimmed_box(const std::vector<Eigen::Vector3d>& points,
-                                double share = kTrimmedShare) {
-  Eigen::Vector3d low, high;
+/// Range of the points along an axis of the canonical frame.
+std::pair<double, double> trimmed_range(const std::vector<Eigen::Vector3d>& points, int axis,
+                                        double share = kTrimmedShare) {
   std::vector<double> x(points.size());
   const auto trim = static_cast<std::size_t>(share * static_cast<double>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) x[k] = points[k][axis];
+  const double low = nth_smallest(x, trim);
+  return {low, nth_smallest(x, x.size() - 1 - trim)};
+}
+
+Eigen::AlignedBox3d trimmed_box(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::AlignedBox3d box;
   for (int axis = 0; axis < 3; ++axis) {
-    for (std::size_t k = 0; k < points.size(); ++k) x[k] = points[k][axis];
-    low[axis] = nth_smallest(x, trim);
-    high[axis] = nth_smallest(x, x.size() - 1 - trim);
+    std::tie(box.min()[axis], box.max()[axis]) = trimmed_range(points, axis);
   }
-  return {low, high};
+  return box;
 }
 
 bool extends_along_z(QuadricType type) {
@@ -100,13 +106,18 @@ void settle_frame(const Surface& surface, const SurfaceSamples& samples, const E
     for (const Eigen::Vector3d& p : canonical_points(surface, samples, *X_CQ)) sum += p.z();
     if (sum < 0) flip_z(X_CQ);
   }
-  const Eigen::AlignedBox3d box = trimmed_box(canonical_points(surface, samples, *X_CQ));
+  const bool along_z = extends_along_z(type), along_y = type == QuadricType::kParabolicCylinder;
+  const bool across_z = is_flat(type) && type != QuadricType::kIntersectingPlanes;
+  if (!along_z && !along_y && !across_z) return;
+  const std::vector<Eigen::Vector3d> points = canonical_points(surface, samples, *X_CQ);
+  const auto middle = [&](int axis) {
+    const auto [low, high] = trimmed_range(points, axis);
+    return (low + high) / 2.0;
+  };
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  if (extends_along_z(type)) shift.z() = box.center().z();
-  if (type == QuadricType::kParabolicCylinder) shift.y() = box.center().y();
-  if (is_flat(type) && type != QuadricType::kIntersectingPlanes) {
-    shift.head<2>() = box.center().head<2>();
-  }
+  if (along_z) shift.z() = middle(2);
+  if (along_y) shift.y() = middle(1);
+  if (across_z) shift.head<2>() << middle(0), middle(1);
   X_CQ->translation() = *X_CQ * shift;
 }
 
@@ -139,7 +150,8 @@ bool has_length(QuadricType type) {
 /// Length along z by which a few samples reach beyond the many: what one trim leaves more than the
 /// deeper one, each without its own share.
 double raggedness(const std::vector<Eigen::Vector3d>& points, double length) {
-  const double deep = trimmed_box(points, kDeepTrimmedShare).sizes().z();
+  const auto [low, high] = trimmed_range(points, 2, kDeepTrimmedShare);
+  const double deep = high - low;
   return std::max(0.0,
                   length / (1.0 - 2.0 * kTrimmedShare) - deep / (1.0 - 2.0 * kDeepTrimmedShare));
 }
