@@ -177,15 +177,38 @@ void fit_lanes(CellWindow cells, const WindowLanes& m, float edge, const Eigen::
   *samples = out;
 }
 
-Eigen::Vector3f element(const std::array<Lanes, 3>& lanes, int k) {
-  return {lanes[0][k], lanes[1][k], lanes[2][k]};
+/// Sets the number of samples; new ones are yet to be filled in.
+void resize(int count, SurfaceSamples* samples) {
+  const auto size = static_cast<std::size_t>(count);
+  samples->p.resize(size), samples->n.resize(size), samples->raw.resize(size);
+  samples->sigma.resize(size), samples->cell.resize(size);
+  samples->count.resize(size), samples->source.resize(size);
 }
 
-void reserve(std::size_t count, SurfaceSamples* samples) {
-  samples->p.reserve(count), samples->n.reserve(count), samples->raw.reserve(count);
-  samples->sigma.reserve(count), samples->cell.reserve(count), samples->count.reserve(count);
-  samples->source.reserve(count), samples->first.reserve(count + 1);
-}
+/// Places of the samples in memory. Most time is spent on writing them, so indices are not checked.
+struct SamplePointers {
+  Eigen::Vector3f *p, *n, *raw;
+  float *sigma, *cell;
+  int *count, *source;
+
+  explicit SamplePointers(SurfaceSamples* s)
+      : p(s->p.data()),
+        n(s->n.data()),
+        raw(s->raw.data()),
+        sigma(s->sigma.data()),
+        cell(s->cell.data()),
+        count(s->count.data()),
+        source(s->source.data()) {}
+
+  /// Sets what lane k of some fits says of sample i.
+  void set(int i, const SampleLanes& lanes, int k) const {
+    const auto element = [k](const std::array<Lanes, 3>& xyz) {
+      return Eigen::Vector3f(xyz[0].data()[k], xyz[1].data()[k], xyz[2].data()[k]);
+    };
+    p[i] = element(lanes.p), n[i] = element(lanes.n), raw[i] = element(lanes.raw);
+    cell[i] = lanes.cell.data()[k];
+  }
+};
 
 /// Links the samples of neighbouring cells whose depths continue each other.
 /// @param sample_of  per cell, its sample; -1 for none
@@ -193,20 +216,26 @@ void reserve(std::size_t count, SurfaceSamples* samples) {
 void join_neighbours(const DepthCells& cells, const std::vector<int>& sample_of,
                      const std::vector<std::uint8_t>& links, SurfaceSamples* samples) {
   const int width = cells.width;
-  const std::array<int, 8> offset = {-width - 1, -width,    -width + 1, -1,
-                                     1,          width - 1, width,      width + 1};
-  std::size_t total = 0;
-  for (const std::uint8_t list : links) total += static_cast<std::size_t>(std::popcount(list));
-  samples->neighbours.reserve(total);
-  samples->first.push_back(0);
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    const int* const sample = sample_of.data() + samples->source[k];
-    for (unsigned list = links[k]; list != 0; list &= list - 1) {
-      const int other = sample[offset.data()[std::countr_zero(list)]];
-      if (other >= 0) samples->neighbours.push_back(other);
+  const std::array<int, 8> offsets = {-width - 1, -width,    -width + 1, -1,
+                                      1,          width - 1, width,      width + 1};
+  const int* const offset = offsets.data();
+  const std::size_t size = samples->p.size();
+  samples->first.resize(size + 1);
+  samples->neighbours.resize(size * offsets.size());
+  int* const first = samples->first.data();
+  int* const begin = samples->neighbours.data();
+  int* next = begin;
+  for (std::size_t k = 0; k < size; ++k) {
+    first[k] = static_cast<int>(next - begin);
+    const int* const sample = sample_of.data() + samples->source.data()[k];
+    for (unsigned list = links.data()[k]; list != 0; list &= list - 1) {
+      const int other = sample[offset[std::countr_zero(list)]];
+      *next = other;
+      next += static_cast<int>(other >= 0);
     }
-    samples->first.push_back(static_cast<int>(samples->neighbours.size()));
   }
+  first[size] = static_cast<int>(next - begin);
+  samples->neighbours.resize(static_cast<std::size_t>(next - begin));
 }
 
 }  // namespace
@@ -216,12 +245,13 @@ SurfaceSamples make_depth_samples(const DepthCells& cells, const Mask& keep,
                                   int reach) {
   const float edge = cells.tangent();
   const BorderedCells bordered(cells, keep, reach);
-  const auto usable = static_cast<std::size_t>(bordered.count_usable());
+  const int usable = static_cast<int>(bordered.count_usable());
   SurfaceSamples samples;
-  reserve(usable, &samples);
+  resize(usable, &samples);
+  const SamplePointers sample(&samples);
   std::vector<int> sample_of(static_cast<std::size_t>(cells.size()), -1);
-  std::vector<std::uint8_t> links;
-  links.reserve(usable);
+  std::vector<std::uint8_t> links(static_cast<std::size_t>(usable));
+  int next = 0;
   WindowLanes sums;
   SampleLanes lanes;
   Links linked;
@@ -231,21 +261,20 @@ SurfaceSamples make_depth_samples(const DepthCells& cells, const Mask& keep,
       if (!sum_windows(window, reach, edge, &sums)) continue;
       fit_lanes(window, sums, edge, X_CV.matrix(), &lanes);
       find_links(window, edge, &linked);
-      for (int k = 0; k < std::min(kLanes, cells.width - first); ++k) {
-        if (!lanes.valid[k]) continue;
-        const int c = j * cells.width + first + k;
-        sample_of[c] = samples.size();
-        samples.p.push_back(element(lanes.p, k));
-        samples.n.push_back(element(lanes.n, k));
-        samples.raw.push_back(element(lanes.raw, k));
-        samples.sigma.push_back(noise.sigma(1.0f / cells.w[c]));
-        samples.cell.push_back(lanes.cell[k]);
-        samples.count.push_back(cells.count[c]);
-        samples.source.push_back(c);
-        links.push_back(static_cast<std::uint8_t>(linked[k]));
+      const int n = std::min(kLanes, cells.width - first);
+      for (int k = 0; k < n; ++k) {
+        if (!lanes.valid.data()[k]) continue;
+        const int c = j * cells.width + first + k, i = next++;
+        sample_of.data()[c] = i;
+        sample.set(i, lanes, k);
+        sample.sigma[i] = noise.sigma(1.0f / window.w[k]);
+        sample.count[i] = cells.count.data()[c];
+        sample.source[i] = c;
+        links.data()[i] = static_cast<std::uint8_t>(linked.data()[k]);
       }
     }
   }
+  resize(next, &samples);
   join_neighbours(cells, sample_of, links, &samples);
   return samples;
 }
