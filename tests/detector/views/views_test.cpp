@@ -159,7 +159,7 @@ TEST_CASE("what one view alone shows on the table, and others see to be bare, is
   for (int n = 0; n < 6; ++n) {
     const Eigen::Vector3d at = place + Eigen::Vector3d(0.03 * (n % 3), n < 3 ? 0.0 : 0.03, 0.0);
     patches.push_back(sphere(TableScene().X_CW * Eigen::Isometry3d(Eigen::Translation3d(at)),
-                             0.014 + 0.002 * (n % 3)));
+                             0.018 + 0.002 * (n % 3)));
   }
   const Eigen::Isometry3d X_WC = TableScene().X_CW.inverse();
   const auto lumps = [&](const DetectionResult& result) {
