@@ -113,7 +113,9 @@ DetectionResult detect_checked(const UsableViews& views, std::size_t all,
   result.bodies = std::move(found.bodies);
   result.points_used = found.points_used;
   for (std::size_t v = 0; v < views.clouds.size(); ++v) {
-    const std::string doubt = contradict_viewpoint_in_range(views.clouds[v], result.detections);
+    const std::string doubt =
+        contradict_viewpoint_in_range(views.clouds[v], result.detections,
+                                      views.numbers[v] == 0 ? kNameViewpoint : kFurtherViewpoint);
     if (!doubt.empty()) result.warnings.push_back(of_view(views.numbers[v], all, doubt));
   }
   clock.end("viewpoint");

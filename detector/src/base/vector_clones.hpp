@@ -3,7 +3,7 @@
 #include "quadrille/detector/vector_clones.hpp"
 
 // Keeps a short loop within another one until it can become vector instructions; GCC would unroll
-// it first, and what is unrolled seldom becomes any.
+// it first, and it seldom makes vectors of an unrolled loop.
 #if defined(__GNUC__) && !defined(__clang__)
 #define QUADRILLE_KEEP_LOOP _Pragma("GCC unroll 1")
 #else

@@ -18,8 +18,9 @@ constexpr double kMinSigmas = 6.0;
 // the lump sees it [m]. It is more than the ten pixels by which stereo cameras misplace edges, a
 // metre away.
 constexpr double kMinInside = 0.03;
-// A view shows a lump if at least this share of the lump's samples is its own.
-constexpr double kViewShare = 0.25;
+// A view shows a lump if it has at least this share of the samples that each view would have if all
+// that see the lump had equally many.
+constexpr double kViewShare = 0.5;
 
 double largest_sigma(const SurfaceSamples& samples, const std::vector<int>& piece) {
   double largest = 0.0;
@@ -34,9 +35,10 @@ bool is_surrounded(const SurfaceSamples& samples, const std::vector<int>& piece,
   if (support.outlines_Q.empty()) return true;
   std::vector<std::size_t> count(support.outlines_Q.size(), 0);
   for (const int i : piece) ++count[samples.view_of(i)];
+  const auto seeing = count.size() - std::count(count.begin(), count.end(), 0u);
+  const double equal = static_cast<double>(piece.size()) / static_cast<double>(seeing);
   for (std::size_t v = 0; v < count.size(); ++v) {
-    const bool shows =
-        static_cast<double>(count[v]) >= kViewShare * static_cast<double>(piece.size());
+    const bool shows = static_cast<double>(count[v]) >= kViewShare * equal;
     if (shows && support.inside(middle_C, v) >= kMinInside) return true;
   }
   return false;

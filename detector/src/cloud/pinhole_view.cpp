@@ -60,8 +60,8 @@ struct Bounds {
   }
 };
 
-/// Looks at kSize points from the k-th on, extends the bounds by the seen ones, and returns their
-/// number.
+/// Looks at kSize points from number `first` on, extends the bounds by the seen ones, and returns
+/// their number.
 QUADRILLE_VECTOR_CLONES
 int widen(const PinholeView& view, std::span<const Eigen::Vector3f> points, std::size_t first,
           Bounds* bounds) {

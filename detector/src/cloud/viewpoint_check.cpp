@@ -203,12 +203,12 @@ std::string behind_plane(const CloudView& cloud, const Points& rays,
 
 std::string contradict_viewpoint(const CloudView& given, const std::vector<Detection>& detections) {
   const RangeCheck range = check_range(given);
-  return contradict_viewpoint_in_range(range.kept(given), detections);
+  return contradict_viewpoint_in_range(range.kept(given), detections, kNameViewpoint);
 }
 
 std::string contradict_viewpoint_in_range(const CloudView& cloud,
-                                          const std::vector<Detection>& detections) {
-  const std::string remedy = "name where the sensor stood (--viewpoint or --camera-pose)";
+                                          const std::vector<Detection>& detections,
+                                          const std::string& remedy) {
   if (!cloud.viewpoint.allFinite()) return "the viewpoint of the cloud is not known; " + remedy;
   const Points rays = rays_of(cloud);
   if (rays.size() < kMinPoints) return "";

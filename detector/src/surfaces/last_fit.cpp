@@ -42,7 +42,7 @@ OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
     const Eigen::Vector3f ray = sighted ? (samples.raw[i] - eyes[view]).normalized() : n;
     const float cosine = n.dot(ray);
     if (!(std::abs(cosine) >= kMinCosine)) continue;
-    // Of many cells no point was looked at, so that nothing moves their means.
+    // Only some points are looked at. A cell without any of them has no scatter, so its mean stays.
     if (scatter[i].trace() == 0.0f) {
       points.points.col(kept) = x;
       points.normals.col(kept++) = points.normals.col(k).eval();

@@ -36,20 +36,24 @@ void look_around(const EvidenceSource& from, std::span<const int> region, const 
   if (from.claims) evidence->evidence.remainder = from.claims->remainder(region);
 }
 
-Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
-                      const CanonicalForm& form, const Mask& free) {
+Evidence evidence_on_surface(const EvidenceSource& from, std::span<const int> region,
+                             const Quadric& Q, const CanonicalForm& form, const Mask& free) {
   LastingEvidence result = lasting_evidence(from, region, Q, form);
   look_around(from, region, free, &result);
-  result.evidence.see_through = see_through(from.context, from.samples, region, Q, form);
   return result.evidence;
+}
+
+Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
+                      const CanonicalForm& form, const Mask& free) {
+  Evidence evidence = evidence_on_surface(from, region, Q, form, free);
+  evidence.see_through = see_through(from.context, from.samples, region, Q, form);
+  return evidence;
 }
 
 void weigh(const EvidenceSource& from, Surface* surface, const Mask& free, double asked) {
   const SurfaceKind kind = is_flat(*surface) ? SurfaceKind::kFlat : SurfaceKind::kCurved;
   const CanonicalForm form = form_of(*surface);
-  LastingEvidence result = lasting_evidence(from, surface->region, surface->Q, form);
-  look_around(from, surface->region, free, &result);
-  surface->evidence = result.evidence;
+  surface->evidence = evidence_on_surface(from, surface->region, surface->Q, form, free);
   if (asked > 0.0) {
     surface->confidence = highest_confidence(terms_of(*surface), "see_through", kind);
     if (surface->confidence < asked) return;

@@ -36,6 +36,12 @@ LastingEvidence lasting_evidence(const EvidenceSource& from, std::span<const int
 void look_around(const EvidenceSource& from, std::span<const int> region, const Mask& free,
                  LastingEvidence* evidence);
 
+/// Collects all evidence for a quadric whose inliers are the region, which must not be empty, but
+/// for what is seen through it.
+/// @param form, free  as all_evidence() has them
+Evidence evidence_on_surface(const EvidenceSource& from, std::span<const int> region,
+                             const Quadric& Q, const CanonicalForm& form, const Mask& free);
+
 /// Collects all evidence for a quadric whose inliers are the region, which must not be empty.
 /// @param form    canonical form of the quadric, with its pose in frame C; its dimensions are not
 /// used

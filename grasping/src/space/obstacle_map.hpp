@@ -76,7 +76,7 @@ class ObstacleMap {
 
   /// The flags of the cubes of a block, level by level, from its voxels up to the block itself.
   struct Block {
-    /// Where the cubes of each level begin.
+    /// Index of the first cube of each level.
     static constexpr std::array<std::size_t, kLevels + 1> kFirst = [] {
       std::array<std::size_t, kLevels + 1> first{};
       for (unsigned n = 0; n < kLevels; ++n) {

@@ -22,8 +22,8 @@ class SurfaceCover {
   bool covers(const Eigen::Vector3f& p_C) const;
 
  private:
-  /// Returns where a place lies, in cubes from the corner of the region; whole numbers of it, which
-  /// are not negative there, round down.
+  /// Returns where a place lies, in cubes from the corner of the region. It is not negative inside
+  /// of the region, so that its whole part is the index of a cube.
   Eigen::Array3f cube_of(const Eigen::Vector3f& p_C) const {
     return (p_C - corner_C_).array() / edge_;
   }

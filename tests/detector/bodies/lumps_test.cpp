@@ -110,6 +110,19 @@ TEST_CASE("what only one view shows at the edge of its support is no lump", "[bo
   CHECK(lump_of(samples, piece, supports.front()));
 }
 
+TEST_CASE("a lump that many views share is one", "[bodies][lumps]") {
+  constexpr std::size_t kViews = 8;
+  std::vector<Support> supports = square_table();
+  supports.front().outlines_Q.resize(kViews, supports.front().outlines_Q.front());
+  SurfaceSamples samples = dome(0.0, 0.0, 0.03, 0.0);
+  std::vector<int> piece(samples.raw.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  for (std::size_t k = 0; k < piece.size(); ++k) {
+    samples.view.push_back(static_cast<int>(k % kViews));
+  }
+  CHECK(lump_of(samples, piece, supports.front()));
+}
+
 TEST_CASE("a lump floats only if a surface that touches it may hide its foot", "[bodies][lumps]") {
   CHECK(lump(dome(0.0, 0.0, 0.03, 0.015)));
   CHECK_FALSE(lump(dome(0.0, 0.0, 0.03, 0.1)));

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <random>
 #include <set>
 #include <vector>
@@ -43,9 +45,14 @@ TEST_CASE("a slice holds the points that a finger covers near the highest own on
   for (int round = 0; round < 5; ++round) {
     const Crowd crowd(random);
     FingerSlices slices(crowd.points, crowd.own, gripper, kHeights);
-    const Eigen::Matrix3d R = Eigen::Quaterniond(any(random), any(random), any(random), any(random))
-                                  .normalized()
-                                  .toRotationMatrix();
+    Eigen::Matrix3d R = Eigen::Quaterniond(any(random), any(random), any(random), any(random))
+                            .normalized()
+                            .toRotationMatrix();
+    // Other approaches with the same closing direction use what was sorted along that.
+    for (int turn = 0; turn < round % 3; ++turn) {
+      slices.cut(R);
+      R = R * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    }
     const std::vector<FingerSlice>& cut = slices.cut(R);
     REQUIRE(cut.size() > 5);
     const SortedPoints sorted = slices.sorted();

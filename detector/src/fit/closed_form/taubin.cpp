@@ -14,7 +14,7 @@ using Vector9d = Eigen::Matrix<double, 9, 1>;
 // Steps of the inverse iteration. Each multiplies the error by the ratio of the two least
 // distances, which is small wherever the points determine the quadric.
 constexpr int kIterations = 5;
-// Share of the mean distance that is added to all, so that none is exactly zero.
+// Shift of all distances, as a share of their mean, so that the scatter is positive definite.
 constexpr double kShift = 1e-7;
 
 /// The equations S q = d G q in all but the constant coefficient, which follows from the others.
@@ -88,13 +88,14 @@ std::optional<Vector10d> least_taubin(const Matrix10d& S, double ridge) {
   const Eigen::LLT<Matrix9d> positive(reduced.scatter);
   const bool is_positive = positive.info() == Eigen::Success;
   const Eigen::LDLT<Matrix9d> any = is_positive ? Eigen::LDLT<Matrix9d>() : reduced.scatter.ldlt();
-  // An irregular start is square to no solution that may be looked for.
+  // An irregular start is orthogonal to no solution in practice.
   Vector9d q{{0.9, -0.6, 0.7, 0.3, -0.4, 0.5, 0.8, 0.2, -0.1}};
   for (int i = 0; i < kIterations; ++i) {
     const Vector9d along = reduced.weight * q;
     q = is_positive ? Vector9d(positive.solve(along)) : Vector9d(any.solve(along));
     q.normalize();
   }
+  if (!(q.norm() > 0.0)) return std::nullopt;
   const Vector10d solution = completed(q, S);
   if (!solution.allFinite()) return std::nullopt;
   return solution;

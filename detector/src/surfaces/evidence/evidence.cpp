@@ -81,7 +81,7 @@ void compare_with_plane(const SurfaceSamples& samples, std::span<const int> regi
   // The mean squares along the principal axes; the least is the distance from the best plane.
   const Eigen::Vector3d v = eigen.eigenvalues().cwiseMax(0.0);
   e->size = std::max(kMinSize, std::sqrt(v.sum()));
-  e->thickness = std::sqrt(v[0] / v[2]);
+  e->thickness = std::sqrt(v[0] / std::max(v[2], kMinSquare));
   e->one_plane = std::log((v[0] + kMinSquare) * sums.n / square);
 }
 

@@ -67,7 +67,9 @@ void add_intruders(const SurfaceSamples& samples, const SampleBlocks& blocks,
     sums.add(x.cast<double>());
     const HalfGradient<float> g = half_gradient(q, x.x(), x.y(), x.z());
     const Eigen::Vector3f gradient(g.x, g.y, g.z);
-    side += gradient.dot(n) / gradient.norm();
+    // At the apex of a cone the gradient is zero, and has no side.
+    const float length = gradient.norm();
+    if (length > 0.0f) side += gradient.dot(n) / length;
   }
   const Eigen::Vector3f centre = (sums.sum / sums.n).cast<float>();
   const Eigen::Matrix3f axes = principal_axes(sums);

@@ -9,7 +9,7 @@
 
 namespace quadrille {
 
-/// What tests of many samples read of successive ones: positions and normals, noise and cells.
+/// The values of successive samples as columns, for loops that become vector instructions.
 struct SampleRows {
   int size;
   const float *x, *y, *z, *nx, *ny, *nz, *sigma, *cell;

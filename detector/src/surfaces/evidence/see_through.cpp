@@ -86,7 +86,9 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
     part.box.extend(Eigen::Vector3d(X_AC * x.cast<double>()));
     const HalfGradient<float> g = half_gradient(q, x.x(), x.y(), x.z());
     const Eigen::Vector3f gradient(g.x, g.y, g.z);
-    part.side += static_cast<double>(gradient.dot(n) / gradient.norm());
+    // At the apex of a cone the gradient is zero, and has no side.
+    const float length = gradient.norm();
+    if (length > 0.0f) part.side += static_cast<double>(gradient.dot(n) / length);
     sigmas += samples.sigma[i];
   }
   part.off += kOffSigmas * sigmas / static_cast<double>(region.size());

@@ -38,6 +38,14 @@ TEST_CASE("Taubin's distances tell whether another quadric fits as well", "[taub
   if (many) CHECK(many->distances[1] < 1e-9 * many->distances[8]);
 }
 
+TEST_CASE("points in one place have no quadric of least distance", "[taubin]") {
+  std::vector<OrientedPoint> points;
+  for (int i = 0; i < 30; ++i) {
+    points.push_back({Eigen::Vector3d::Zero(), Eigen::Vector3d(std::cos(i), std::sin(i), 0.0)});
+  }
+  CHECK_FALSE(least_taubin(scatter_of_values(to_oriented_points<double>(points)), 1e-9));
+}
+
 TEST_CASE("inverse iteration finds Taubin's quadric of least distance", "[taubin]") {
   for (const FamilyExample& example : family_examples()) {
     // On a plane other quadrics fit as well.
