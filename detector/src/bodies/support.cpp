@@ -51,6 +51,7 @@ std::vector<Support> supports_of(const std::vector<Detection>& detections,
     if (const auto places = places_C.find(plane->id); places != places_C.end()) {
       for (const std::vector<Eigen::Vector3d>& of_view : places->second) {
         std::vector<Eigen::Vector2d> places_Q;
+        places_Q.reserve(of_view.size());
         for (const Eigen::Vector3d& p : of_view) {
           places_Q.emplace_back((support.X_QC * p).head<2>());
         }

@@ -37,8 +37,10 @@ namespace quadrille {
   // The compiler makes vectors only of plain arrays that nothing else may point to, so this is
   // PinholeView::operator() written out.
   const Eigen::Matrix4f X = view.X_VC.matrix();
+  constexpr std::ptrdiff_t kStep = 3;
   std::array<float, kSize> x, y, z;
-  for (int i = 0; i < kSize; ++i) x[i] = p[3 * i], y[i] = p[3 * i + 1], z[i] = p[3 * i + 2];
+  for (int i = 0; i < kSize; ++i)
+    x[i] = p[kStep * i], y[i] = p[kStep * i + 1], z[i] = p[kStep * i + 2];
   SeenPoints seen;
   for (int i = 0; i < kSize; ++i) {
     const float w = 1.0f / (X(2, 0) * x[i] + X(2, 1) * y[i] + X(2, 2) * z[i] + X(2, 3));

@@ -119,7 +119,7 @@ std::optional<PinholeView> look_from_viewpoint(const CloudView& cloud, int strid
 
 std::optional<PinholeView> find_view(const CloudView& cloud, int stride) {
   if (cloud.points.size() < kMinPoints) return std::nullopt;
-  const std::optional<PinholeView> view = look_from_viewpoint(cloud, stride);
+  std::optional<PinholeView> view = look_from_viewpoint(cloud, stride);
   if (!view || view->seen < kMinPoints) return std::nullopt;
   if (view->unseen > (view->seen + view->unseen) / kPointsPerUnseen) return std::nullopt;
   return view;
