@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "support/catch.hpp"
@@ -63,8 +64,21 @@ void check_visits(const CellPyramid& pyramid, const PointCloud& cloud) {
   }
   pyramid.visit_points(cloud, kStep, owner,
                        [&](std::size_t k, int cell) { visited.emplace_back(k, cell); });
-  CHECK(expected.size() > cloud.points.size() / kStep / 2);
+  CHECK(expected.size() > cloud.points.size() / kStep / 3);
   CHECK(visited == expected);
+}
+
+/// A cloud of whose points some lie behind those that made the cells, some beside the image or
+/// behind the sensor, and some nowhere.
+PointCloud disturbed(PointCloud cloud) {
+  for (std::size_t k = 0; k < cloud.points.size(); ++k) {
+    Eigen::Vector3f& p = cloud.points[k];
+    if (k % 4 == 0) p *= 1.5f;
+    if (k % 7 == 0) p.setConstant(std::numeric_limits<float>::quiet_NaN());
+    if (k % 11 == 0) p.x() += 5.0f;
+    if (k % 13 == 0) p = -p;
+  }
+  return cloud;
 }
 
 /// What holds of a pyramid of either kind.
@@ -110,6 +124,11 @@ TEST_CASE("a single view becomes a pyramid of depth cells", "[pyramid]") {
   const auto pyramid = make_depth_pyramid(cloud, {});
   REQUIRE(pyramid);
   check_pyramid(*pyramid, cloud);
+  const PointCloud other = disturbed(cloud);
+  check_visits(*pyramid, other);
+  // Behind the wall there is no cell, though the ray goes through one.
+  CHECK(pyramid->cell_of(other.points[4]) < 0);
+  CHECK(pyramid->cell_of(cloud.points[4]) >= 0);
   // 3.1 mm cells at 1 m are one pixel of 3.3 mm.
   CHECK(pyramid->size(0) == 320 * 240);
   CHECK(make_pyramid(cloud, {})->size(0) == pyramid->size(0));
