@@ -119,7 +119,7 @@ CanonicalForm hyperboloid(const Diagonal& d, const Eigen::Vector3d& centre, doub
   return form;
 }
 
-CanonicalForm paraboloid(const Diagonal& d, Eigen::Vector3d local) {
+CanonicalForm paraboloid(const Diagonal& d, const Eigen::Vector3d& local) {
   // About the vertex λ₁x² + λ₂y² + 2 b z = 0, thus z = −(λ₁x² + λ₂y²) / 2b.
   double fa = -0.5 * d.b[2] / d.lambda[0], fb = -0.5 * d.b[2] / d.lambda[1];
   Eigen::Vector3d z = d.R.col(2), x = d.R.col(0);

@@ -101,7 +101,7 @@ struct ObstacleMap::Query {
 void ObstacleMap::Block::refresh() {
   for (int n = 1; n < kLevels; ++n) {
     const int edge = kEdge >> n;
-    const auto row = static_cast<std::size_t>(2 * edge);
+    const auto row = 2 * static_cast<std::size_t>(edge);
     for (int k = 0; k < edge; ++k) {
       for (int j = 0; j < edge; ++j) {
         merge(this->row(n - 1, 2 * j, 2 * k), row, row * row, edge, this->row(n, j, k));

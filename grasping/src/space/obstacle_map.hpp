@@ -105,12 +105,15 @@ class ObstacleMap {
 
   /// Returns the block of a voxel; nullptr if it holds nothing.
   const Block* block_of(const Eigen::Vector3i& voxel) const {
-    const int n = numbers_.data()[block_index(voxel)];
+    const int n = number_of(voxel);
     return n < 0 ? nullptr : &blocks_.data()[n];
   }
   Block* block_of(const Eigen::Vector3i& voxel) {
-    return const_cast<Block*>(std::as_const(*this).block_of(voxel));
+    const int n = number_of(voxel);
+    return n < 0 ? nullptr : &blocks_.data()[n];
   }
+  /// Number of the block of a voxel; −1 if it holds nothing.
+  int number_of(const Eigen::Vector3i& voxel) const { return numbers_.data()[block_index(voxel)]; }
   std::size_t block_index(const Eigen::Vector3i& voxel) const {
     const Eigen::Vector3i at = voxel / kEdge, size = size_ / kEdge;
     return (static_cast<std::size_t>(at.z()) * static_cast<std::size_t>(size.y()) +

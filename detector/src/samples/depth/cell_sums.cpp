@@ -61,18 +61,22 @@ using PointCells = std::array<int, kChunk>;
   return other == 0 && cells[0] >= 0;
 }
 
+// Number of values in a pair.
+constexpr std::ptrdiff_t kPair = 2;
+
 /// Adds pairs of values to consecutive sums.
 [[gnu::always_inline]] inline void sum_pairs(const float* __restrict pairs,
                                              float* __restrict sums) {
   QUADRILLE_KEEP_LOOP
-  for (int k = 0; k < kLanes; ++k) sums[k] += pairs[2 * k] + pairs[2 * k + 1];
+  for (int k = 0; k < kLanes; ++k) sums[k] += pairs[kPair * k] + pairs[kPair * k + 1];
 }
 
 [[gnu::always_inline]] inline void lower_to(const float* __restrict pairs,
                                             float* __restrict least) {
   QUADRILLE_KEEP_LOOP
   for (int k = 0; k < kLanes; ++k) {
-    const float a = pairs[2 * k], b = pairs[2 * k + 1], low = b < a ? b : a, before = least[k];
+    const float a = pairs[kPair * k], b = pairs[kPair * k + 1], low = b < a ? b : a,
+                before = least[k];
     least[k] = low < before ? low : before;
   }
 }
@@ -80,7 +84,8 @@ using PointCells = std::array<int, kChunk>;
 [[gnu::always_inline]] inline void raise_to(const float* __restrict pairs, float* __restrict most) {
   QUADRILLE_KEEP_LOOP
   for (int k = 0; k < kLanes; ++k) {
-    const float a = pairs[2 * k], b = pairs[2 * k + 1], high = b > a ? b : a, before = most[k];
+    const float a = pairs[kPair * k], b = pairs[kPair * k + 1], high = b > a ? b : a,
+                before = most[k];
     most[k] = high > before ? high : before;
   }
 }

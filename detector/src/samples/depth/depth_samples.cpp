@@ -145,7 +145,8 @@ QUADRILLE_VECTOR_CLONES
 void fit_lanes(CellWindow cells, const WindowLanes& m, float edge, const Eigen::Matrix4f& X_CV,
                SampleLanes* samples) {
   SampleLanes out;
-  const Eigen::Matrix4f X = X_CV;
+  // Nothing that is written may point to a copy, which lets the compiler make vectors.
+  const Eigen::Matrix4f X = X_CV;  // NOLINT(performance-unnecessary-copy-initialization)
   for (int k = 0; k < kLanes; ++k) {
     const float s = m.s[k] / m.n[k], t = m.t[k] / m.n[k], w = m.w[k] / m.n[k];
     const float ss = m.ss[k] - m.n[k] * s * s, st = m.st[k] - m.n[k] * s * t;
