@@ -51,7 +51,7 @@ DirectionIndex::DirectionIndex(const CloudView& cloud, const std::optional<Pinho
   const Eigen::Vector2f& corner = view_->bounds.min();
   const TileGrid grid{corner.x(), corner.y(), per_unit_, width_, width_ - 1, height_ - 1};
   const std::size_t looked = (cloud.points.size() + kSize - 1) / kSize * kSize;
-  // All of it is filled, so it is not set to 0 first.
+  // The loop below sets each element, so they need not be set to 0 before.
   const auto tile = std::make_unique_for_overwrite<int[]>(looked);
   for (std::size_t first = 0; first < looked; first += kSize) {
     find_tiles(*view_, cloud.points, first, grid, tile.get() + first);
