@@ -80,16 +80,34 @@ void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention con
   }
 }
 
-/// @param X_CK  pose of the map's frame K in the frame C in which it is written
-void write_map(const std::string& path, const OccupancyGrid& space, const Eigen::Isometry3d& X_CK,
-               io::NewFile& file) {
-  const bool moves = !X_CK.matrix().isIdentity(0.0);
-  std::ofstream stream(file.path(), std::ios::binary);
-  stream << io::octree_bytes(*(moves ? space.moved(X_CK) : space).to_octree());
-  stream.close();
-  if (!stream) throw io::FileError(path, "", "cannot be written; check the space left");
-  file.commit();
-}
+/// The OctoMap of the last plan, which is written when all clouds were planned for.
+class MapFile {
+ public:
+  explicit MapFile(const std::string& path) : path_(path), file_(path) {}
+
+  /// @param X_CK  pose of the map's frame K in the frame C in which it is written
+  void keep(std::shared_ptr<const OccupancyGrid> space, const Eigen::Isometry3d& X_CK) {
+    space_ = std::move(space);
+    X_CK_ = X_CK;
+  }
+
+  /// Writes nothing if the last plan has no map.
+  void finish() {
+    if (!space_) return;
+    const bool moves = !X_CK_.matrix().isIdentity(0.0);
+    std::ofstream stream(file_.path(), std::ios::binary);
+    stream << io::octree_bytes(*(moves ? space_->moved(X_CK_) : *space_).to_octree());
+    stream.close();
+    if (!stream) throw io::FileError(path_, "", "cannot be written; check the space left");
+    file_.commit();
+  }
+
+ private:
+  std::string path_;
+  io::NewFile file_;
+  std::shared_ptr<const OccupancyGrid> space_;
+  Eigen::Isometry3d X_CK_ = Eigen::Isometry3d::Identity();
+};
 
 /// Returns the lines that are not among the others.
 std::vector<std::string> without(std::vector<std::string> lines,
@@ -129,8 +147,14 @@ PlanSetup setup_of(const PlanArguments& arguments) {
 struct PlanOutput {
   JsonLines json;
   PicturePaths pictures;
-  std::optional<io::NewFile> map;
+  std::optional<MapFile> map;
   CommandReport report;
+
+  void finish(bool failed = false) {
+    json.finish();
+    report.finish(failed);
+    if (map) map->finish();
+  }
 };
 
 /// Writes and prints the detections and the plan, in the cloud's own frame.
@@ -164,7 +188,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
           look_table(plan.looks));
   }
   // The plan's warnings say why there is none.
-  if (output->map && plan.space) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
+  if (output->map) output->map->keep(plan.space, input.X_CK);
 }
 
 /// The tracks and views of the clouds before.
@@ -229,15 +253,13 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   output->report.add(input, std::move(scene));
 }
 
-/// Refuses several inputs if a map is written, since it belongs to one plan.
+/// Refuses a map of several scenes, since it belongs to one.
 void check_single_scene(const PlanArguments& arguments) {
   arguments.views.check(arguments.inputs);
-  if (arguments.map.empty()) return;
-  if (arguments.inputs.size() > 1) {
-    throw CLI::ValidationError("--map", "takes a single INPUT; plan for one after the other");
-  }
-  if (!arguments.input.scene || !may_be_several(arguments.inputs)) return;
-  throw CLI::ValidationError("--map", "takes one plan of a scene; name its cloud: clouds.lcm#2");
+  if (arguments.map.empty() || arguments.input.scene || arguments.inputs.size() == 1) return;
+  throw CLI::ValidationError("--map",
+                             "takes a single INPUT, or views of one scene (--scene); plan for one "
+                             "after the other");
 }
 
 void run(const PlanArguments& arguments) {
@@ -259,18 +281,14 @@ void run(const PlanArguments& arguments) {
   selection.track = setup.detector.track;
   if ((arguments.map.empty() && arguments.views.paths.empty()) || selection.scene) {
     const ReadingResult read = for_each_input(arguments.inputs, selection, visit);
-    if (read.gave_anything()) {
-      output.json.finish();
-      output.report.finish(read.failed);
-    }
+    if (read.gave_anything()) output.finish(read.failed);
     return read.check();
   }
   const std::string& path = arguments.inputs.front();
   const auto [input, warnings] = read_single_cloud(path, selection);
   print_warnings(path, warnings);
   visit(path, input);
-  output.json.finish();
-  output.report.finish();
+  output.finish();
 }
 
 }  // namespace
@@ -286,7 +304,10 @@ void add_plan_command(CLI::App& app) {
                     "Try other settings and hands where there is no grasp, say what gives one, and "
                     "propose views that would help");
   arguments->views.add_to(*command);
-  command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")
+  command
+      ->add_option("--map", arguments->map,
+                   "Write free and occupied space as an OctoMap; that of the last plan with "
+                   "--scene")
       ->type_name("FILE.bt");
   add_choice_option(*command, "--convention", arguments->convention, conventions(),
                     "Add to each grasp's JSON the hand's pose X_CH as this software has it");
