@@ -1,5 +1,10 @@
 #include "quadrille/grasping/rigid_motion.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <vector>
+
 #include "grasping/plans.hpp"
 
 using namespace quadrille;
@@ -67,4 +72,42 @@ TEST_CASE("a map moved anyhow is free only where the map was free, and occupied 
   }
   CHECK(occupied > 50);
   CHECK(free > 1000);
+}
+
+TEST_CASE("a voxel of a moved map has the most cautious state of all voxels that it overlaps",
+          "[frames][occupancy]") {
+  std::mt19937 random(7);
+  const OccupancyGrid here = *plan_balls({ball_on_table(0.0, 0.0, 0.03)}).space;
+  const std::vector<Voxel> most_cautious_first = {Voxel::kOccupied, Voxel::kUnknown, Voxel::kClear,
+                                                  Voxel::kFree};
+  // The box along the axes of C around a voxel of F, tried at nine places along each of them, which
+  // are closer to each other than voxels. The outermost lie inside by more than what is rounded.
+  const auto expected = [&](const Eigen::Vector3d& p_C, const Eigen::Vector3d& reach) {
+    std::size_t rank = most_cautious_first.size() - 1;
+    for (int n = 0; n < 729; ++n) {
+      const Eigen::Array3d at = Eigen::Array3d(n % 9, n / 9 % 9, n / 81) / 4.0 - 1.0;
+      const Voxel state = here.at(Eigen::Vector3d(p_C.array() + at * (reach.array() - 2e-8)));
+      const auto found = std::find(most_cautious_first.begin(), most_cautious_first.end(), state);
+      rank = std::min(rank, static_cast<std::size_t>(found - most_cautious_first.begin()));
+    }
+    return most_cautious_first[rank];
+  };
+  std::map<Voxel, int> seen;
+  for (int pose = 0; pose < 5; ++pose) {
+    const Eigen::Isometry3d X_FC = random_pose(random), X_CF = X_FC.inverse();
+    const OccupancyGrid there = here.moved(X_FC);
+    const Eigen::Vector3d reach =
+        X_CF.linear().cwiseAbs() * Eigen::Vector3d::Constant(0.5 * there.resolution());
+    for (int n = 0; n < 2000; ++n) {
+      const Eigen::Vector3d p_F = X_FC * random_point(random, here.bounds());
+      const Eigen::Array3i voxel =
+          (p_F / there.resolution()).array().floor().cast<int>() - there.corner().array();
+      const Eigen::Vector3d centre_F = there.centre(voxel.x(), voxel.y(), voxel.z());
+      const Voxel is = there.at(centre_F);
+      REQUIRE(is == expected(X_CF * centre_F, reach));
+      ++seen[is];
+    }
+  }
+  CHECK(seen.size() == 4);
+  CHECK(seen[Voxel::kOccupied] > 50);
 }

@@ -93,7 +93,6 @@ class OccupancyGrid {
   /// Makes the grid without any states, which must be added.
   static OccupancyGrid without_states(const Eigen::AlignedBox3d& region, double resolution);
   QUADRILLE_EXPORT const std::vector<Voxel>& all_of_source() const;
-  Voxel most_cautious(const Eigen::AlignedBox3d& box_C) const;
 
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
