@@ -1,7 +1,5 @@
 #include "samples/sample_buckets.hpp"
 
-#include "samples/voxel/voxel_finder.hpp"
-
 namespace quadrille {
 namespace {
 
@@ -22,13 +20,20 @@ SampleBuckets::SampleBuckets(const SurfaceSamples& samples, float edge, std::vec
     : grid_(samples.raw, {}, edge, &bucket), samples_(sort_into_buckets(bucket, grid_.size())) {}
 
 std::vector<int> SampleBuckets::near(const Eigen::Vector3f& centre, float radius) const {
-  // A sample is no farther from the mean of its bucket than the bucket's diagonal, √3 edges.
-  VoxelFinder finder(grid_, radius + 2.0f * grid_.edge());
-  std::vector<int> found;
-  for (const int v : finder.within(centre)) {
-    found.insert(found.end(), samples_[v].begin(), samples_[v].end());
+  return NearSamples(*this, radius).around(centre);
+}
+
+// A sample is no farther from the mean of its bucket than the bucket's diagonal, √3 edges.
+NearSamples::NearSamples(const SampleBuckets& buckets, float radius)
+    : buckets_(buckets), finder_(buckets.grid_, radius + 2.0f * buckets.grid_.edge()) {}
+
+const std::vector<int>& NearSamples::around(const Eigen::Vector3f& centre) {
+  found_.clear();
+  for (const int v : finder_.within(centre)) {
+    const auto& bucket = buckets_.samples_[v];
+    found_.insert(found_.end(), bucket.begin(), bucket.end());
   }
-  return found;
+  return found_;
 }
 
 }  // namespace quadrille

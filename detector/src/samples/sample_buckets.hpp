@@ -5,6 +5,7 @@
 
 #include "base/buckets.hpp"
 #include "samples/surface_samples.hpp"
+#include "samples/voxel/voxel_finder.hpp"
 #include "samples/voxel/voxel_grid.hpp"
 
 namespace quadrille {
@@ -21,12 +22,30 @@ class SampleBuckets {
   std::vector<int> near(const Eigen::Vector3f& centre, float radius) const;
 
  private:
+  friend class NearSamples;
+
   /// @param bucket  buffer for the voxel of each sample
   SampleBuckets(const SurfaceSamples& samples, float edge, std::vector<int> bucket);
 
   VoxelGrid grid_;
   /// The samples in each voxel; those that are not finite lie in none.
   Buckets samples_;
+};
+
+/// Finds samples around one place after another, with less work if the places follow each other
+/// closely.
+class NearSamples {
+ public:
+  /// @param radius  of all balls [m]
+  NearSamples(const SampleBuckets& buckets, float radius);
+
+  /// Returns what SampleBuckets::near() does, until the next call.
+  const std::vector<int>& around(const Eigen::Vector3f& centre);
+
+ private:
+  const SampleBuckets& buckets_;
+  VoxelFinder finder_;
+  std::vector<int> found_;
 };
 
 }  // namespace quadrille

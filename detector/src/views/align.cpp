@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "samples/region.hpp"
@@ -53,17 +54,23 @@ class Target {
     float radius = -1.0f;
     std::vector<int> samples;
 
-    /// True if all samples within a reach of p are here, and not many others.
-    bool serves(const Eigen::Vector3f& p, float reach) const {
-      return (p - centre).norm() + reach <= radius && radius < 2.0f * reach;
+    /// True if all samples within a reach of p are here.
+    bool holds(const Eigen::Vector3f& p, float reach) const {
+      return (p - centre).norm() + reach <= radius;
     }
+    /// True if few others are.
+    bool is_small(float reach) const { return radius < 2.0f * reach; }
   };
 
   /// The nearest sample with a similar normal within a distance; −1 if there is none.
-  /// @param ball  samples about the place; it is filled anew if it does not serve. The next steps
-  ///              move a sample little, and seldom need another ball.
+  /// @param ball  samples about the place; it is filled anew if it lacks some. The next steps move
+  ///              a sample little and look less far, so that they seldom need another ball.
   int nearest(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float reach, Ball* ball) const {
-    if (!ball->serves(p, reach)) *ball = around(p, reach);
+    if (!ball->holds(p, reach)) {
+      *ball = among(buckets_.near(p, reach), p, reach);
+    } else if (!ball->is_small(reach)) {
+      *ball = among(ball->samples, p, reach);
+    }
     int best = -1;
     float least = reach * reach;
     for (const int j : ball->samples) {
@@ -77,9 +84,10 @@ class Target {
   }
 
  private:
-  Ball around(const Eigen::Vector3f& p, float reach) const {
+  /// The ball of those of some samples that are within a reach of p.
+  Ball among(std::span<const int> some, const Eigen::Vector3f& p, float reach) const {
     Ball ball{p, reach, {}};
-    for (const int j : buckets_.near(p, reach)) {
+    for (const int j : some) {
       if ((samples_.raw[j] - p).squaredNorm() < reach * reach) ball.samples.push_back(j);
     }
     return ball;

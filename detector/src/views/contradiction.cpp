@@ -157,9 +157,14 @@ Mask Contradiction::of_points(std::span<const Eigen::Vector3f> points_C) const {
 }
 
 void Contradiction::clear(Sight* older) const {
-  for_each_seen(*older, [&](std::size_t cell, const Eigen::Vector3f& place) {
-    if (through_[cell] || passes_new(place)) older->w[cell] = 0.0f;
-  });
+  if (!places_C_.empty()) {
+    for_each_seen(*older, [&](std::size_t cell, const Eigen::Vector3f& place) {
+      if (passes_new(place)) older->w[cell] = 0.0f;
+    });
+  }
+  for (std::size_t cell = 0; cell < through_.size(); ++cell) {
+    if (through_[cell]) older->w[cell] = 0.0f;
+  }
 }
 
 Mask ForgottenBox::of_points(std::span<const Eigen::Vector3f> points_C,

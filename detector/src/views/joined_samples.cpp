@@ -56,11 +56,16 @@ SurfaceSamples linked_views(SurfaceSamples samples, const Mask& some) {
   // As large as what is sought in them, so that few others are looked at.
   const float edge = samples.size() == 0 ? 1.0f : samples.cell[samples.size() / 2];
   const SampleBuckets buckets(samples, edge);
+  float widest = 0.0f;
+  for (int i = 0; i < samples.size(); ++i) {
+    if (some[i]) widest = std::max(widest, samples.cell[i]);
+  }
+  NearSamples near(buckets, widest);
   std::vector<std::vector<int>> links(static_cast<std::size_t>(samples.size()));
   for (int i = 0; i < samples.size(); ++i) {
     if (!some[i]) continue;
     const float reach = samples.cell[i];
-    for (const int j : buckets.near(samples.raw[i], reach)) {
+    for (const int j : near.around(samples.raw[i])) {
       if (j <= i || !some[j] || samples.view[j] == samples.view[i] ||
           (samples.raw[j] - samples.raw[i]).squaredNorm() > reach * reach) {
         continue;
