@@ -11,13 +11,14 @@ float edge_for(const SurfaceSamples& samples) {
 }  // namespace
 
 SampleBuckets::SampleBuckets(const SurfaceSamples& samples)
-    : SampleBuckets(samples, edge_for(samples)) {}
+    : SampleBuckets(samples.raw, edge_for(samples)) {}
 
-SampleBuckets::SampleBuckets(const SurfaceSamples& samples, float edge)
-    : SampleBuckets(samples, edge, std::vector<int>()) {}
+SampleBuckets::SampleBuckets(std::span<const Eigen::Vector3f> places, float edge)
+    : SampleBuckets(places, edge, std::vector<int>()) {}
 
-SampleBuckets::SampleBuckets(const SurfaceSamples& samples, float edge, std::vector<int> bucket)
-    : grid_(samples.raw, {}, edge, &bucket), samples_(sort_into_buckets(bucket, grid_.size())) {}
+SampleBuckets::SampleBuckets(std::span<const Eigen::Vector3f> places, float edge,
+                             std::vector<int> bucket)
+    : grid_(places, {}, edge, &bucket), samples_(sort_into_buckets(bucket, grid_.size())) {}
 
 std::vector<int> SampleBuckets::near(const Eigen::Vector3f& centre, float radius) const {
   return NearSamples(*this, radius).around(centre);

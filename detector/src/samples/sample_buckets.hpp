@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "base/buckets.hpp"
@@ -10,14 +11,18 @@
 
 namespace quadrille {
 
-/// Sorts the samples into voxels, to find those in a ball without looking at all of them.
+/// Sorts samples by their raw positions into voxels, to find those in a ball without looking at all
+/// of them.
 class SampleBuckets {
  public:
   explicit SampleBuckets(const SurfaceSamples& samples);
-  /// @param edge  of the voxels [m]
-  SampleBuckets(const SurfaceSamples& samples, float edge);
+  /// @param places  the positions of the samples; those that are not finite are never found [m]
+  /// @param edge    of the voxels [m]
+  SampleBuckets(std::span<const Eigen::Vector3f> places, float edge);
 
-  /// Returns all samples whose raw positions lie within the radius [m] of the centre, and some
+  /// The samples in an order in which those that are near each other mostly follow each other.
+  const std::vector<int>& in_order() const { return samples_.list; }
+  /// Returns all samples whose positions lie within the radius [m] of the centre, and some
   /// around them, in no particular order.
   std::vector<int> near(const Eigen::Vector3f& centre, float radius) const;
 
@@ -25,7 +30,7 @@ class SampleBuckets {
   friend class NearSamples;
 
   /// @param bucket  buffer for the voxel of each sample
-  SampleBuckets(const SurfaceSamples& samples, float edge, std::vector<int> bucket);
+  SampleBuckets(std::span<const Eigen::Vector3f> places, float edge, std::vector<int> bucket);
 
   VoxelGrid grid_;
   /// The samples in each voxel; those that are not finite lie in none.

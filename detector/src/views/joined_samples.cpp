@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -53,27 +54,31 @@ SurfaceSamples moved(SurfaceSamples samples, const Eigen::Isometry3d& X) {
 }
 
 SurfaceSamples linked_views(SurfaceSamples samples, const Mask& some) {
-  // As large as what is sought in them, so that few others are looked at.
-  const float edge = samples.size() == 0 ? 1.0f : samples.cell[samples.size() / 2];
-  const SampleBuckets buckets(samples, edge);
+  std::vector<Eigen::Vector3f> places = samples.raw;
   float widest = 0.0f;
   for (int i = 0; i < samples.size(); ++i) {
-    if (some[i]) widest = std::max(widest, samples.cell[i]);
+    if (some[i]) {
+      widest = std::max(widest, samples.cell[i]);
+    } else {
+      places[i].setConstant(std::numeric_limits<float>::quiet_NaN());
+    }
   }
+  // Buckets as large as what is sought in them, so that few other samples are looked at.
+  const SampleBuckets buckets(places, widest > 0.0f ? widest : 1.0f);
   NearSamples near(buckets, widest);
   std::vector<std::vector<int>> links(static_cast<std::size_t>(samples.size()));
-  for (int i = 0; i < samples.size(); ++i) {
-    if (!some[i]) continue;
+  for (const int i : buckets.in_order()) {
     const float reach = samples.cell[i];
-    for (const int j : near.around(samples.raw[i])) {
-      if (j <= i || !some[j] || samples.view[j] == samples.view[i] ||
-          (samples.raw[j] - samples.raw[i]).squaredNorm() > reach * reach) {
+    for (const int j : near.around(places[i])) {
+      if (j <= i || samples.view[j] == samples.view[i] ||
+          (places[j] - places[i]).squaredNorm() > reach * reach) {
         continue;
       }
       links[i].push_back(j);
       links[j].push_back(i);
     }
   }
+  for (std::vector<int>& own : links) std::sort(own.begin(), own.end());
   std::vector<int> first = {0}, neighbours;
   for (int i = 0; i < samples.size(); ++i) {
     const std::span<const int> own = samples.neighbours_of(i);
