@@ -150,8 +150,9 @@ bool Contradiction::passes_new(const Eigen::Vector3f& p_C) const {
 
 Mask Contradiction::of_points(std::span<const Eigen::Vector3f> points_C) const {
   Mask contradicted = points_seen_through(points_C, older_, through_, newer_);
-  for (std::size_t n = 0; n < points_C.size() && !places_C_.empty(); ++n) {
-    contradicted[n] |= passes_new(points_C[n]);
+  const Mask at_border = border_points_seen_through(points_C, older_, through_, newer_);
+  for (std::size_t n = 0; n < points_C.size(); ++n) {
+    contradicted[n] |= at_border[n] || (!places_C_.empty() && passes_new(points_C[n]));
   }
   return contradicted;
 }

@@ -35,10 +35,17 @@ Mask cells_seen_through(const Sight& view, const Sight& other);
 /// Marks the points of a view that another view sees through.
 /// @param points_C  what the view saw, in frame C [m]
 /// @param view      what the view saw, in the same frame; no cells if that is not known
-/// @param through   see cells_seen_through()
+/// @param cells     see cells_seen_through()
 /// @param other     what the other view saw, in the same frame
 Mask points_seen_through(std::span<const Eigen::Vector3f> points_C, const Sight& view,
-                         const Mask& through, const Sight& other);
+                         const Mask& cells, const Sight& other);
+
+/// Marks the points of a view that another view sees through although none of the view's cells
+/// shows them: at the border of a thing a cell may show what is behind. The thing's own cells, next
+/// to theirs, must be seen through.
+/// @param cells  see cells_seen_through(); the other parameters are those of points_seen_through()
+Mask border_points_seen_through(std::span<const Eigen::Vector3f> points_C, const Sight& view,
+                                const Mask& cells, const Sight& other);
 
 /// The place that a cell of a view shows, in frame C; the cell must have seen something.
 Eigen::Vector3f place_of_cell(const Sight& view, int i, int j);

@@ -1,0 +1,109 @@
+#include "views/seen_through.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/random.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using Eigen::Vector3f;
+
+namespace {
+
+constexpr int kSize = 60;
+
+/// What a camera at a place sees of a wall at z = 1, and of a square before it that is 0.2 wide and
+/// has its middle at x.
+/// @param square  depth of the square's plane z [m]; 1 if there is none
+Sight sight_of(const Vector3f& eye, float x, float square) {
+  Sight sight;
+  sight.X_VC.translation() = -eye;
+  sight.step = 0.012f;
+  sight.width = sight.height = kSize;
+  sight.corner.setConstant(-0.5f * sight.step * kSize);
+  for (int j = 0; j < kSize; ++j) {
+    for (int i = 0; i < kSize; ++i) {
+      const Eigen::Array2f ray =
+          sight.corner +
+          sight.step * (Eigen::Array2f(static_cast<float>(i), static_cast<float>(j)) + 0.5f);
+      const float before = square - eye.z();
+      const Eigen::Array2f at = eye.head<2>().array() + before * ray;
+      const bool meets = std::abs(at.x() - x) < 0.1f && std::abs(at.y()) < 0.1f;
+      sight.w.push_back(1.0f / (meets ? before : 1.0f - eye.z()));
+    }
+  }
+  return sight;
+}
+
+std::size_t count(const Mask& marked) {
+  std::size_t n = 0;
+  for (const char one : marked) n += one != 0;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("cells are seen through as their places are", "[views]") {
+  RandomStream random(8, 0);
+  Sight view = sight_of(Vector3f::Zero(), 0.0f, 0.9f);
+  Sight other = sight_of({0.15f, -0.05f, 0.1f}, 0.1f, 0.95f);
+  for (Sight* sight : {&view, &other}) {
+    for (float& w : sight->w) {
+      const double chance = random.uniform();
+      if (chance < 0.05) w = 0.0f;
+      if (chance > 0.95) w *= static_cast<float>(0.7 + 0.6 * random.uniform());
+    }
+  }
+  const Mask through = cells_seen_through(view, other);
+  // Those that are seen through well, and by a narrow margin beside them, whatever the order.
+  Mask expected(view.w.size(), 0);
+  for (bool grows = true, first = true; grows; first = false) {
+    grows = false;
+    for (int n = 0; n < kSize * kSize; ++n) {
+      const int i = n % kSize, j = n / kSize;
+      if (expected[n] || view.w[n] == 0.0f) continue;
+      bool beside = false;
+      for (const auto& [x, y] : {std::pair(i - 1, j), {i + 1, j}, {i, j - 1}, {i, j + 1}}) {
+        beside |= x >= 0 && y >= 0 && x < kSize && y < kSize && expected[y * kSize + x];
+      }
+      if (!first && !beside) continue;
+      expected[n] = sees_through(other, place_of_cell(view, i, j), first ? kWellBehind : kAtFoot);
+      grows |= expected[n] != 0;
+    }
+    grows |= first;
+  }
+  CHECK(through == expected);
+  CHECK(count(through) > 50);
+  CHECK(count(through) < 1000);
+  CHECK(count(cells_seen_through(view, Sight())) == 0);
+  CHECK(cells_seen_through(Sight(), other).empty());
+}
+
+TEST_CASE("points at the border of a thing are seen through with its cells", "[views]") {
+  const Sight before = sight_of(Vector3f::Zero(), 0.0f, 0.9f);
+  const Sight after = sight_of({0.1f, 0.0f, 0.0f}, 0.0f, 1.0f);
+  const Mask through = cells_seen_through(before, after);
+  REQUIRE(count(through) > 100);
+  // A point of the square in the first cell to its right that shows the wall.
+  int i = kSize / 2;
+  while (before.w[kSize / 2 * kSize + i] > 1.0f) ++i;
+  const auto point_at = [&](int column, float z) {
+    const float tangent = before.corner.x() + before.step * (static_cast<float>(column) + 0.5f);
+    return Vector3f(z * tangent, 0.0f, z);
+  };
+  const std::vector<Vector3f> points = {
+      point_at(i, 0.9f),      // of the square, at its border
+      point_at(i, 1.0f),      // of the wall behind it
+      point_at(i + 5, 0.9f),  // before the wall, far from the square
+      point_at(i - 2, 0.9f),  // of the square, shown by its cell
+  };
+  CHECK(border_points_seen_through(points, before, through, after) == Mask{1, 0, 0, 0});
+  CHECK(points_seen_through(points, before, through, after) == Mask{0, 0, 0, 1});
+  // If the square is still there, nothing is seen through.
+  const Mask none = cells_seen_through(before, before);
+  CHECK(count(none) == 0);
+  CHECK(count(border_points_seen_through(points, before, none, before)) == 0);
+}
