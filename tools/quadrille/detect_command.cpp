@@ -90,7 +90,7 @@ void run(const DetectArguments& arguments) {
     const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, robot,
                                        setup.options, arguments.input.frames.unit, &warnings);
     DetectionResult result = scene.lasts() ? scene.detect(input, path, robot, nullptr)
-                                           : detect_views(views.clouds, setup.options);
+                                           : detect_views(views.clouds(), setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     // The tracks of a numbered cloud begin with the clouds before it.
     tracking.add_to(input, path, &result.detections);

@@ -25,7 +25,7 @@ bool has_only_planes(const DetectionResult& result) {
   return !result.detections.empty() && !is_curved && !has_lump && result.boxes.empty();
 }
 
-std::vector<Remedy> try_finer_cells(const std::vector<PointCloud>& views, DetectorOptions options,
+std::vector<Remedy> try_finer_cells(std::span<const PointCloud> views, DetectorOptions options,
                                     const std::function<GraspPlan(DetectionResult)>& plan) {
   SamplingOptions& sampling = options.sampling;
   if (sampling.cell <= kFineCell || sampling.relative_cell > 0.0) return {};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ bool has_only_planes(const DetectionResult& result);
 /// @param views  the clouds of the scene, for detect_views()
 /// @param plan   plans on detections
 /// @return the remedy, without a target; empty if it gives no grasp, or cells are as small already
-std::vector<Remedy> try_finer_cells(const std::vector<PointCloud>& views, DetectorOptions options,
+std::vector<Remedy> try_finer_cells(std::span<const PointCloud> views, DetectorOptions options,
                                     const std::function<GraspPlan(DetectionResult)>& plan);
 
 /// Says what is known of smaller cells if only planes were found.

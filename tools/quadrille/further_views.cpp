@@ -61,11 +61,15 @@ SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
                      const Eigen::Isometry3d& X_CK, const RobotShapes& robot,
                      const DetectorOptions& options, double unit,
                      std::vector<std::string>* warnings) {
+  SceneViews views;
+  if (arguments.paths.empty() && robot.shapes.empty()) {
+    views.only = &cloud;
+    return views;
+  }
   InputArguments arguments_of_view;
   arguments_of_view.frames.unit = unit;
   const Eigen::Isometry3d X_KC = X_CK.inverse();
-  SceneViews views;
-  views.clouds.push_back(robot.taken_from(cloud));
+  views.several.push_back(robot.taken_from(cloud));
   for (const std::string& path : arguments.paths) {
     SingleCloud view = read_single_cloud(path, arguments_of_view);
     if (const std::string other = warning_of_frames(cloud.frame, view.input.cloud.frame);
@@ -74,9 +78,9 @@ SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
     }
     print_warnings(path, view.warnings);
     add_warnings(path, view.warnings, warnings);
-    views.clouds.push_back(robot.taken_from(moved(std::move(view.input.cloud), X_KC)));
+    views.several.push_back(robot.taken_from(moved(std::move(view.input.cloud), X_KC)));
   }
-  const std::vector<Eigen::Isometry3d> motions = align_views(&views.clouds, options);
+  const std::vector<Eigen::Isometry3d> motions = align_views(&views.several, options);
   for (std::size_t v = 1; v < motions.size(); ++v) {
     views.corrections.push_back(
         {{"input", arguments.paths[v - 1]}, {"correction", io::to_json(X_CK * motions[v] * X_KC)}});

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,14 @@ struct ViewArguments {
 
 /// All views of a scene in the working frame K.
 struct SceneViews {
-  /// The clouds, the first one first.
-  std::vector<PointCloud> clouds;
+  /// The only view, if it is the input's cloud as it came, which is not copied.
+  const PointCloud* only = nullptr;
+  /// Otherwise the clouds, the first one first.
+  std::vector<PointCloud> several;
+
+  std::span<const PointCloud> clouds() const {
+    return only ? std::span<const PointCloud>(only, 1) : several;
+  }
   /// For each further view, as JSON: its path, and the motion within the frame C of the files by
   /// which its pose was corrected.
   io::Json corrections = io::Json::array();
@@ -39,7 +46,7 @@ struct SceneViews {
 
 /// Reads the further views of a scene, each with the viewpoint that its file names, and corrects
 /// their poses by what the views see.
-/// @param cloud     the first view, in frame K
+/// @param cloud     the first view, in frame K; it must outlive the views
 /// @param X_CK      pose of K in the frame C of all files
 /// @param robot     shapes in K of the robot; points on them are dropped
 /// @param unit      length of the unit of all files [m]

@@ -207,15 +207,15 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
                 arguments.input.frames.unit, &info.warnings);
   DetectionResult found = before->scene.lasts()
                               ? before->scene.detect(input, path, known.robot, &known.views)
-                              : detect_views(views.clouds, setup.detector.options);
+                              : detect_views(views.clouds(), setup.detector.options);
   before->tracking.add_to(input, path, &found.detections);
   if (!input.asked) return;
   const GraspQuery query =
       moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
   // The planner drops the robot's points itself, since it needs to know what they hide; if there
   // are other views, they show that.
-  const PointCloud& cloud = views.clouds.size() > 1 ? views.clouds.front() : input.cloud;
-  known.views.insert(known.views.end(), views.clouds.begin() + 1, views.clouds.end());
+  const PointCloud& cloud = views.clouds().size() > 1 ? views.clouds().front() : input.cloud;
+  known.views.insert(known.views.end(), views.clouds().begin() + 1, views.clouds().end());
   const GraspScene asked(cloud, found.detections, setup.gripper, setup.options, known, found.boxes,
                          found.bodies);
   GraspPlan planned = asked.plan_from_start(query);
@@ -223,8 +223,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
     planned.remedies = find_remedies(planned, cloud, found.detections, setup.gripper, setup.options,
                                      known, query, found.boxes, found.bodies);
     if (has_only_planes(found)) {
-      planned.remedies =
-          try_finer_cells(views.clouds, setup.detector.options, [&](const DetectionResult& finer) {
+      planned.remedies = try_finer_cells(
+          views.clouds(), setup.detector.options, [&](const DetectionResult& finer) {
             return GraspScene(cloud, finer.detections, setup.gripper, setup.options, known,
                               finer.boxes, finer.bodies)
                 .plan_from_start(query);
