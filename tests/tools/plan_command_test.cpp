@@ -35,6 +35,9 @@ TEST_CASE("plan writes its map as OctoMap reads it, and fuses further views", "[
   REQUIRE(views.size() == 1);
   CHECK(views[0].at("input") == copy);
   for (const double shift : views[0].at("correction").at("position")) CHECK(std::abs(shift) < 1e-6);
+  const Run detected = run_quadrille("detect " + scene + " --json - --view " + copy);
+  const json points = json::parse(detected.out).at("points");
+  CHECK(points.at("read") == points.at("finite"));
   check_failure(run_quadrille(plan + " --view " + folder.path("none.ply")), "none.ply");
   CHECK_FALSE(contains(twice.err, "in frame"));
   std::string text = test::content_of(copy);

@@ -74,11 +74,11 @@ void run(const DetectArguments& arguments) {
     result.boxes = moved(std::move(result.boxes), input.X_CK);
     result.bodies = moved(std::move(result.bodies), input.X_CK);
     const io::RunInfo whole = with_warnings(with_warnings(info, input.warnings), result.warnings);
-    io::Json object = io::detect_json(input.info, whole, result);
+    io::Json object = io::detect_json(views.info, whole, result);
     if (!views.corrections.empty()) object["views"] = views.corrections;
     json.write(object);
     if (!json.owns_stdout()) {
-      print(detection_table(input.info, result, Paint::of_stdout()));
+      print(detection_table(views.info, result, Paint::of_stdout()));
     }
     print_warnings(input.info.input, result.warnings);
     if (!pictures.wanted()) return;
@@ -87,8 +87,8 @@ void run(const DetectArguments& arguments) {
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
     std::vector<std::string> warnings;
     const RobotShapes robot = moved(arguments.robot, input.X_CK.inverse());
-    const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, robot,
-                                       setup.options, arguments.input.frames.unit, &warnings);
+    const SceneViews views = all_views(arguments.views, input, robot, setup.options,
+                                       arguments.input.frames.unit, &warnings);
     DetectionResult result = scene.lasts() ? scene.detect(input, path, robot, nullptr)
                                            : detect_views(views.clouds(), setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());

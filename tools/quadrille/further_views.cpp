@@ -57,33 +57,35 @@ void ViewArguments::check(const std::vector<std::string>& inputs) const {
   refuse_same(inputs.front(), paths);
 }
 
-SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
-                     const Eigen::Isometry3d& X_CK, const RobotShapes& robot,
-                     const DetectorOptions& options, double unit,
+SceneViews all_views(const ViewArguments& arguments, const InputCloud& input,
+                     const RobotShapes& robot, const DetectorOptions& options, double unit,
                      std::vector<std::string>* warnings) {
   SceneViews views;
+  views.info = input.info;
   if (arguments.paths.empty() && robot.shapes.empty()) {
-    views.only = &cloud;
+    views.only = &input.cloud;
     return views;
   }
   InputArguments arguments_of_view;
   arguments_of_view.frames.unit = unit;
-  const Eigen::Isometry3d X_KC = X_CK.inverse();
-  views.several.push_back(robot.taken_from(cloud));
+  const Eigen::Isometry3d X_KC = input.X_CK.inverse();
+  views.several.push_back(robot.taken_from(input.cloud));
   for (const std::string& path : arguments.paths) {
     SingleCloud view = read_single_cloud(path, arguments_of_view);
-    if (const std::string other = warning_of_frames(cloud.frame, view.input.cloud.frame);
+    if (const std::string other = warning_of_frames(input.cloud.frame, view.input.cloud.frame);
         !other.empty()) {
       view.warnings.push_back(other);
     }
     print_warnings(path, view.warnings);
     add_warnings(path, view.warnings, warnings);
+    views.info.points_read += view.input.info.points_read;
+    views.info.read_ms += view.input.info.read_ms;
     views.several.push_back(robot.taken_from(moved(std::move(view.input.cloud), X_KC)));
   }
   const std::vector<Eigen::Isometry3d> motions = align_views(&views.several, options);
   for (std::size_t v = 1; v < motions.size(); ++v) {
-    views.corrections.push_back(
-        {{"input", arguments.paths[v - 1]}, {"correction", io::to_json(X_CK * motions[v] * X_KC)}});
+    views.corrections.push_back({{"input", arguments.paths[v - 1]},
+                                 {"correction", io::to_json(input.X_CK * motions[v] * X_KC)}});
   }
   return views;
 }

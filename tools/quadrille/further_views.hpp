@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -10,6 +9,7 @@
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/robot_shapes.hpp"
+#include "quadrille/inputs.hpp"
 
 namespace CLI {
 class App;
@@ -31,6 +31,8 @@ struct ViewArguments {
 
 /// All views of a scene in the working frame K.
 struct SceneViews {
+  /// What is known of the input, with the points of all views and the time to read them.
+  io::InputInfo info;
   /// The only view, if it is the input's cloud as it came, which is not copied.
   const PointCloud* only = nullptr;
   /// Otherwise the clouds, the first one first.
@@ -46,14 +48,13 @@ struct SceneViews {
 
 /// Reads the further views of a scene, each with the viewpoint that its file names, and corrects
 /// their poses by what the views see.
-/// @param cloud     the first view, in frame K; it must outlive the views
-/// @param X_CK      pose of K in the frame C of all files
+/// @param input     the first view, in frame K, with the pose of K in the frame C of all files; it
+///   must outlive the views
 /// @param robot     shapes in K of the robot; points on them are dropped
 /// @param unit      length of the unit of all files [m]
 /// @param warnings  receives warnings about the views
-SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
-                     const Eigen::Isometry3d& X_CK, const RobotShapes& robot,
-                     const DetectorOptions& options, double unit,
+SceneViews all_views(const ViewArguments& arguments, const InputCloud& input,
+                     const RobotShapes& robot, const DetectorOptions& options, double unit,
                      std::vector<std::string>* warnings);
 
 }  // namespace quadrille

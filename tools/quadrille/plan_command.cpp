@@ -170,7 +170,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   GraspPlan nothing;
   nothing.warnings = result.warnings;
   const bool is_found = !result.detections.empty() || !plan.warnings.empty();
-  io::Json object = io::plan_json(input.info, info, result, plan);
+  io::Json object = io::plan_json(views.info, info, result, plan);
   if (!views.corrections.empty()) object["views"] = views.corrections;
   object["query"] = io::to_json(arguments.query.query());
   if (const io::Json known = io::to_json(arguments.known); !known.empty()) object["known"] = known;
@@ -182,7 +182,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   output->json.write(object);
   if (!output->json.owns_stdout()) {
     const Paint paint = Paint::of_stdout();
-    print(detection_table(input.info, result, paint) +
+    print(detection_table(views.info, result, paint) +
           grasp_table(is_found ? plan : nothing, arguments.advise, paint) +
           (has_only_planes(result) ? hint_at_finer_cells(plan.remedies, arguments.advise) : "") +
           look_table(plan.looks));
@@ -202,9 +202,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   Surroundings known = moved(arguments.known, input.X_CK.inverse());
-  const SceneViews views =
-      all_views(arguments.views, input.cloud, input.X_CK, known.robot, setup.detector.options,
-                arguments.input.frames.unit, &info.warnings);
+  const SceneViews views = all_views(arguments.views, input, known.robot, setup.detector.options,
+                                     arguments.input.frames.unit, &info.warnings);
   DetectionResult found = before->scene.lasts()
                               ? before->scene.detect(input, path, known.robot, &known.views)
                               : detect_views(views.clouds(), setup.detector.options);
