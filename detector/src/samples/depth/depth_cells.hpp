@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "base/mask.hpp"
 #include "quadrille/detector/pinhole.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
@@ -77,10 +76,5 @@ inline bool continuous(const DepthCells& cells, float w_a, float w_b) {
 /// only the side with more points.
 DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,
                             const PinholeImage& image, int pixels);
-
-/// Makes cells of twice the edge. A cell that would span a depth edge keeps only the side with more
-/// points.
-/// @param keep  cells to use
-DepthCells coarser(const DepthCells& fine, const Mask& keep);
 
 }  // namespace quadrille

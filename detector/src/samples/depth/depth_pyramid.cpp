@@ -10,6 +10,7 @@
 #include "cloud/some_points.hpp"
 #include "quadrille/detector/parallel_for.hpp"
 #include "samples/cell_pyramid.hpp"
+#include "samples/depth/coarser_cells.hpp"
 #include "samples/depth/depth_cells.hpp"
 #include "samples/depth/depth_samples.hpp"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "detector/samples/depth/pixel_points.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 
@@ -13,19 +14,6 @@ namespace {
 
 /// A wall across the view at depth z.
 Patch wall(double z) { return rectangle(translation(0, 0, z), 1e3, 1e3); }
-
-/// A cloud of points with these tangents and inverse depths.
-PointCloud cloud_of(const std::vector<Eigen::Vector3f>& uvw) {
-  PointCloud cloud;
-  for (const Eigen::Vector3f& t : uvw) {
-    cloud.points.push_back(Eigen::Vector3f(t.x(), t.y(), 1.0f) / t.z());
-  }
-  return cloud;
-}
-
-PinholeImage image_of(int width, int height, float pitch) {
-  return {Eigen::Array2f::Zero(), Eigen::Array2f::Constant(pitch), width, height};
-}
 
 }  // namespace
 
@@ -73,28 +61,6 @@ TEST_CASE("a cell across a depth edge keeps the side with more points", "[depth]
   };
   CHECK(kept(3, 2) == near);
   CHECK(kept(2, 3) == far);
-}
-
-TEST_CASE("coarser cells hold all points of one surface and one side of an edge",
-          "[depth][cells]") {
-  std::vector<Eigen::Vector3f> uvw;
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) {
-      const bool step = i == 2 && j < 2;
-      uvw.push_back({0.001f * (i + 0.5f), 0.001f * (j + 0.5f), step ? 0.5f : 1.0f});
-    }
-  }
-  const DepthCells fine = make_depth_cells(cloud_of(uvw), {}, image_of(4, 4, 0.001f), 1);
-  const DepthCells all = coarser(fine, {});
-  REQUIRE(all.width == 2);
-  CHECK(all.pixels == 2);
-  CHECK(all.count == std::vector<int>{4, 2, 4, 4});
-  CHECK(all.w[0] == 1.0f);
-  Mask keep(16, 1);
-  keep[0] = keep[1] = keep[4] = keep[5] = 0;
-  const DepthCells rest = coarser(fine, keep);
-  CHECK(rest.count[0] == 0);
-  CHECK(rest.count[3] == 4);
 }
 
 TEST_CASE("a step in depth is continuous up to the slope seen at 75 degrees", "[depth][cells]") {

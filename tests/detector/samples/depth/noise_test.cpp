@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "samples/depth/coarser_cells.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 

@@ -13,6 +13,7 @@
 #include "fit/geometric_fit.hpp"
 #include "fit/normal_equations.hpp"
 #include "lab/scoring/frame.hpp"
+#include "samples/depth/coarser_cells.hpp"
 #include "samples/depth/depth_cells.hpp"
 #include "samples/depth/depth_samples.hpp"
 #include "samples/region.hpp"
