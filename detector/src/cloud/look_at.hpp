@@ -8,15 +8,15 @@
 #include <limits>
 #include <span>
 
+#include "base/vector_clones.hpp"
 #include "quadrille/detector/pinhole.hpp"
 
 namespace quadrille {
 
 /// Looks at points as PinholeView::look() does. It is compiled into each caller, so that a caller
 /// with vector clones gets vectors here too, and no calls in its loop over the points.
-[[gnu::always_inline]] inline SeenPoints look_at(const PinholeView& view,
-                                                 std::span<const Eigen::Vector3f> points,
-                                                 std::size_t k) {
+QUADRILLE_INTO_CLONES SeenPoints look_at(const PinholeView& view,
+                                         std::span<const Eigen::Vector3f> points, std::size_t k) {
   constexpr int kSize = SeenPoints::kSize;
   const std::size_t step = static_cast<std::size_t>(view.stride), first = k * step;
   std::array<Eigen::Vector3f, kSize> some;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/vector_clones.hpp"
+#include "base/strands.hpp"
 
 namespace quadrille {
 
@@ -21,28 +21,6 @@ struct alignas(kLanes * sizeof(Scalar)) ChunkColumns {
     for (auto& values : column) std::fill(values + size, values + padded, Scalar(0));
   }
 };
-
-/// Eight partial sums side by side: for floats one AVX register, or two SSE registers.
-template <typename Scalar>
-struct StrandsOf;
-template <>
-struct StrandsOf<float> {
-  using Type __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
-};
-template <>
-struct StrandsOf<double> {
-  using Type __attribute__((vector_size(kLanes * sizeof(double)), may_alias)) = double;
-};
-
-// Compilers clone no templates for other instruction sets, so these are inlined into plain
-// functions.
-#define QUADRILLE_INTO_CLONES inline __attribute__((always_inline))
-
-/// The sum of all strands.
-template <typename Strands>
-QUADRILLE_INTO_CLONES double sum_of_strands(const Strands& s) {
-  return static_cast<double>((s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7])));
-}
 
 /// Adds the products of column a with itself and the later ones to row a of N. Since `a` is known
 /// at compile time, the sums stay in registers.

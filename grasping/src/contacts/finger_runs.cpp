@@ -3,30 +3,27 @@
 #include <algorithm>
 #include <limits>
 
-#include "quadrille/detector/vector_clones.hpp"
+#include "base/lanes.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr std::size_t kDepthLanes = FingerRuns::kMaxDepths;
+static_assert(FingerRuns::kMaxDepths == kFloatLanes);
 constexpr float kFarAway = std::numeric_limits<float>::infinity();
 // Number of points after which the depths are asked whether a run has started.
 constexpr std::size_t kRunBlock = 8;
-using DepthLanes __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = float;
-using DepthMasks __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = int;
-using DepthHalves __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = long long;
+using FloatHalves __attribute__((vector_size(kFloatLanes * sizeof(float)), may_alias)) = long long;
 
 /// Sets a value for each depth; depths that are not used get −∞.
-inline __attribute__((always_inline)) void fill_lanes(std::span<const float> values,
-                                                      DepthLanes& lanes) {
-  for (std::size_t n = 0; n < kDepthLanes; ++n)
+QUADRILLE_INTO_CLONES void fill_lanes(std::span<const float> values, FloatLanes& lanes) {
+  for (std::size_t n = 0; n < FingerRuns::kMaxDepths; ++n)
     lanes[n] = n < values.size() ? values[n] : -kFarAway;
 }
 
-static_assert(sizeof(DepthMasks) == 4 * sizeof(long long));
+static_assert(sizeof(FloatMasks) == 4 * sizeof(long long));
 
-inline __attribute__((always_inline)) bool any(const DepthMasks& masks) {
-  const DepthHalves halves = reinterpret_cast<DepthHalves>(masks);
+QUADRILLE_INTO_CLONES bool any(const FloatMasks& masks) {
+  const FloatHalves halves = reinterpret_cast<FloatHalves>(masks);
   return ((halves[0] | halves[1]) | (halves[2] | halves[3])) != 0;
 }
 
@@ -60,14 +57,6 @@ struct RunStarter {
   }
 };
 
-/// Replaces the lanes of a mask by others.
-template <class Lanes>
-inline __attribute__((always_inline)) void replace_in(const DepthMasks& mask, const Lanes& others,
-                                                      Lanes& lanes) {
-  lanes = reinterpret_cast<Lanes>((mask & reinterpret_cast<const DepthMasks&>(others)) |
-                                  (~mask & reinterpret_cast<const DepthMasks&>(lanes)));
-}
-
 }  // namespace
 
 QUADRILLE_VECTOR_CLONES
@@ -76,19 +65,19 @@ void FingerRuns::find(const SortedPoints& sorted, std::span<const std::uint32_t>
   for (std::vector<Run>& runs : runs_) runs.clear();
   const SlicePoints points{sorted.y, sorted.z, places.data()};
   const float gap = gap_;
-  DepthLanes tip, root, last_y;
+  FloatLanes tip, root, last_y;
   fill_lanes(tips, tip), fill_lanes(roots, root);
   // The first point lies infinitely far from a previous one, and so starts a run.
   fill_lanes({}, last_y);
-  DepthMasks last = {};
+  FloatMasks last = {};
   for (std::size_t first = 0; first < places.size(); first += kRunBlock) {
     const std::size_t end = std::min(first + kRunBlock, places.size());
-    const DepthLanes y_before = last_y;
-    const DepthMasks before = last;
-    DepthMasks started = {}, here = static_cast<int>(first) - DepthMasks{};
+    const FloatLanes y_before = last_y;
+    const FloatMasks before = last;
+    FloatMasks started = {}, here = static_cast<int>(first) - FloatMasks{};
     for (std::size_t k = first; k < end; ++k) {
-      const DepthMasks in = (points.z(k) < tip) & (points.z(k) > root);
-      const DepthLanes y = points.y(k) - DepthLanes{};
+      const FloatMasks in = (points.z(k) < tip) & (points.z(k) > root);
+      const FloatLanes y = points.y(k) - FloatLanes{};
       started |= in & (y - last_y > gap);
       replace_in(in, y, last_y), replace_in(in, here, last);
       here += 1;

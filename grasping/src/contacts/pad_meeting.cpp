@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/lanes.hpp"
 #include "contacts/quality.hpp"
-#include "quadrille/detector/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -37,24 +37,8 @@ constexpr double kFrictionSlack = 0.01;
 // Marks a chord that meets no surface: it lies deeper inside than the end of any chord.
 constexpr float kNoSurface = -std::numeric_limits<float>::infinity();
 
-constexpr int kChordLanes = 8;
-using ChordLanes __attribute__((vector_size(kChordLanes * sizeof(float)), may_alias)) = float;
-using ChordMasks __attribute__((vector_size(kChordLanes * sizeof(float)), may_alias)) = int;
-
-inline __attribute__((always_inline)) void load(const float* from, ChordLanes& lanes) {
-  std::memcpy(&lanes, from, sizeof(lanes));
-}
-
-/// Replaces the values outside of a mask by others.
-inline __attribute__((always_inline)) void replace_outside(const ChordMasks& mask,
-                                                           const ChordLanes& others,
-                                                           ChordLanes& values) {
-  values = reinterpret_cast<ChordLanes>((mask & reinterpret_cast<const ChordMasks&>(values)) |
-                                        (~mask & reinterpret_cast<const ChordMasks&>(others)));
-}
-
-inline __attribute__((always_inline)) void take_roots(ChordLanes& values) {
-  std::array<float, kChordLanes> roots;
+QUADRILLE_INTO_CLONES void take_roots(FloatLanes& values) {
+  std::array<float, kFloatLanes> roots;
   std::memcpy(roots.data(), &values, sizeof(values));
   for (float& root : roots) root = std::sqrt(root);
   load(roots.data(), values);
@@ -110,30 +94,30 @@ struct PadMeetingFinder::Crossing {
 /// farthest ends on either side; returns false if no chord has any.
 QUADRILLE_VECTOR_CLONES
 bool PadMeetingFinder::cross_all(const Crossing& c) {
-  static_assert(kChords % kChordLanes == 0);
-  const ChordLanes zero = {}, none = zero + kNoSurface;
-  ChordLanes far0 = none, far1 = none;
-  for (int n = 0; n < kChords; n += kChordLanes) {
-    ChordLanes product, square, x, y, z;
+  static_assert(kChords % kFloatLanes == 0);
+  const FloatLanes zero = {}, none = zero + kNoSurface;
+  FloatLanes far0 = none, far1 = none;
+  for (int n = 0; n < kChords; n += kFloatLanes) {
+    FloatLanes product, square, x, y, z;
     load(c.product + n, product), load(c.square + n, square);
     load(c.x + n, x), load(c.y + n, y), load(c.z + n, z);
-    const ChordLanes B = product + c.B;
-    const ChordLanes C = square + c.C + c.g_x * x + c.g_y * y + c.g_z * z;
-    const ChordLanes D = B * B - c.A * C;
-    ChordLanes root = D;
-    replace_outside(D > zero, zero, root);
+    const FloatLanes B = product + c.B;
+    const FloatLanes C = square + c.C + c.g_x * x + c.g_y * y + c.g_z * z;
+    const FloatLanes D = B * B - c.A * C;
+    FloatLanes root = D;
+    replace_in(~(D > zero), zero, root);
     take_roots(root);
-    ChordLanes t0 = (-B - root) * c.inverse, t1 = (root - B) * c.inverse;
-    const ChordLanes along = z + c.p_z, z0 = along + t0 * c.y_z, z1 = along + t1 * c.y_z;
-    const ChordMasks meets =
+    FloatLanes t0 = (-B - root) * c.inverse, t1 = (root - B) * c.inverse;
+    const FloatLanes along = z + c.p_z, z0 = along + t0 * c.y_z, z1 = along + t1 * c.y_z;
+    const FloatMasks meets =
         (D > zero) & (z0 >= c.z_min) & (z1 >= c.z_min) & (z0 <= c.z_max) & (z1 <= c.z_max);
     t0 = -t0;
-    replace_outside(meets, none, t1), replace_outside(meets, none, t0);
+    replace_in(~meets, none, t1), replace_in(~meets, none, t0);
     std::memcpy(out_[0].data() + n, &t1, sizeof(t1));
     std::memcpy(out_[1].data() + n, &t0, sizeof(t0));
-    replace_outside(far0 > t1, t1, far0), replace_outside(far1 > t0, t0, far1);
+    replace_in(~(far0 > t1), t1, far0), replace_in(~(far1 > t0), t0, far1);
   }
-  for (int k = 0; k < kChordLanes; ++k) {
+  for (int k = 0; k < kFloatLanes; ++k) {
     farthest_[0] = k == 0 || far0[k] > farthest_[0] ? far0[k] : farthest_[0];
     farthest_[1] = k == 0 || far1[k] > farthest_[1] ? far1[k] : farthest_[1];
   }

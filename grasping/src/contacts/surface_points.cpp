@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/lanes.hpp"
 #include "base/point_buckets.hpp"
-#include "quadrille/detector/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -77,23 +77,15 @@ Thinned thinned(std::span<const Eigen::Vector3d> points, std::span<const Eigen::
   return means;
 }
 
-constexpr int kPointLanes = 4;
-using PointLanes __attribute__((vector_size(kPointLanes * sizeof(double)), may_alias)) = double;
-using PointMasks __attribute__((vector_size(kPointLanes * sizeof(double)), may_alias)) = long long;
-
-inline __attribute__((always_inline)) void clear_outside(const PointMasks& in, PointLanes& values) {
-  values = reinterpret_cast<PointLanes>(in & reinterpret_cast<PointMasks>(values));
-}
-
 /// The sums over the points near some points that their principal components need, each in the
 /// lanes of these points.
 struct Moments {
   /// Positions of these points, and the numbers of their eyes; NaN in lanes that are not used.
-  alignas(32) std::array<double, kPointLanes> x, y, z;
-  alignas(32) std::array<long long, kPointLanes> eye;
+  alignas(32) std::array<double, kDoubleLanes> x, y, z;
+  alignas(32) std::array<long long, kDoubleLanes> eye;
   /// Sums of x, y, z, xx, xy, xz, yy, yz and zz, and the numbers of points.
-  std::array<std::array<double, kPointLanes>, 9> sums;
-  std::array<long long, kPointLanes> counts;
+  std::array<std::array<double, kDoubleLanes>, 9> sums;
+  std::array<long long, kDoubleLanes> counts;
 
   /// Returns the direction along which the points near one of these points spread least.
   Eigen::Vector3d normal(int lane) const {
@@ -125,17 +117,17 @@ Moments gathered(const Eigen::Vector3d* points, const int* eye_of, std::span<con
 QUADRILLE_VECTOR_CLONES
 void sum_near(const Eigen::Vector3d* points, const int* eye_of, const PointBuckets::Near& near,
               double reach, Moments* moments) {
-  const auto px = reinterpret_cast<const PointLanes&>(moments->x);
-  const auto py = reinterpret_cast<const PointLanes&>(moments->y);
-  const auto pz = reinterpret_cast<const PointLanes&>(moments->z);
-  const auto eye = reinterpret_cast<const PointMasks&>(moments->eye);
+  const auto px = reinterpret_cast<const DoubleLanes&>(moments->x);
+  const auto py = reinterpret_cast<const DoubleLanes&>(moments->y);
+  const auto pz = reinterpret_cast<const DoubleLanes&>(moments->z);
+  const auto eye = reinterpret_cast<const DoubleMasks&>(moments->eye);
   const double most = reach * reach;
-  PointLanes x = {}, y = {}, z = {}, xx = {}, xy = {}, xz = {}, yy = {}, yz = {}, zz = {};
-  PointMasks count = {};
+  DoubleLanes x = {}, y = {}, z = {}, xx = {}, xy = {}, xz = {}, yy = {}, yz = {}, zz = {};
+  DoubleMasks count = {};
   for (const std::span<const int> row : near) {
     for (const int j : row) {
-      PointLanes dx = points[j].x() - px, dy = points[j].y() - py, dz = points[j].z() - pz;
-      const PointMasks in = (dx * dx + dy * dy + dz * dz <= most) & (eye == eye_of[j]);
+      DoubleLanes dx = points[j].x() - px, dy = points[j].y() - py, dz = points[j].z() - pz;
+      const DoubleMasks in = (dx * dx + dy * dy + dz * dz <= most) & (eye == eye_of[j]);
       clear_outside(in, dx), clear_outside(in, dy), clear_outside(in, dz);
       x += dx, y += dy, z += dz;
       xx += dx * dx, xy += dx * dy, xz += dx * dz;
@@ -143,7 +135,7 @@ void sum_near(const Eigen::Vector3d* points, const int* eye_of, const PointBucke
       count -= in;
     }
   }
-  const PointLanes sums[9] = {x, y, z, xx, xy, xz, yy, yz, zz};
+  const DoubleLanes sums[9] = {x, y, z, xx, xy, xz, yy, yz, zz};
   std::memcpy(moments->sums.data(), sums, sizeof(sums));
   std::memcpy(moments->counts.data(), &count, sizeof(count));
 }
@@ -166,7 +158,8 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
   for (std::size_t n = 0; n < near.size(); ++n) {
     // The points of a cube have the same points near them.
     for (std::span<const int> rest = buckets.members(n); !rest.empty();) {
-      const std::span<const int> some = rest.first(std::min<std::size_t>(kPointLanes, rest.size()));
+      const std::span<const int> some =
+          rest.first(std::min<std::size_t>(kDoubleLanes, rest.size()));
       rest = rest.subspan(some.size());
       Moments moments = gathered(points, eye_of, some);
       sum_near(points, eye_of, near[n], reach, &moments);

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <tuple>
 
+#include "base/lanes.hpp"
 #include "contacts/directions.hpp"
 #include "contacts/pad_meeting.hpp"
-#include "quadrille/detector/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -84,22 +83,19 @@ void turn_points(const SurfaceGrid& points_C, const Eigen::Matrix3d& R_CG, Surfa
   }
 }
 
-constexpr std::size_t kGridLanes = 4;
-static_assert(kPoints % kGridLanes == 0);
-using GridLanes __attribute__((vector_size(kGridLanes * sizeof(double)), may_alias)) = double;
-using GridMasks __attribute__((vector_size(kGridLanes * sizeof(double)), may_alias)) = long long;
+static_assert(kPoints % kDoubleLanes == 0);
 
-inline __attribute__((always_inline)) void lower_to(const GridLanes& others, GridLanes& values) {
+QUADRILLE_INTO_CLONES void lower_to(const DoubleLanes& others, DoubleLanes& values) {
   values = others < values ? others : values;
 }
-inline __attribute__((always_inline)) void raise_to(const GridLanes& others, GridLanes& values) {
+QUADRILLE_INTO_CLONES void raise_to(const DoubleLanes& others, DoubleLanes& values) {
   values = others > values ? others : values;
 }
 
-inline __attribute__((always_inline)) double least_of(const GridLanes& lanes) {
+QUADRILLE_INTO_CLONES double least_of(const DoubleLanes& lanes) {
   return std::min(std::min(lanes[0], lanes[1]), std::min(lanes[2], lanes[3]));
 }
-inline __attribute__((always_inline)) double greatest_of(const GridLanes& lanes) {
+QUADRILLE_INTO_CLONES double greatest_of(const DoubleLanes& lanes) {
   return std::max(std::max(lanes[0], lanes[1]), std::max(lanes[2], lanes[3]));
 }
 
@@ -112,14 +108,12 @@ struct GridBounds {
 QUADRILLE_VECTOR_CLONES
 GridBounds bounds_within(const SurfaceGrid& points, double deep, double nearest) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const GridLanes low = GridLanes{} - kFar, high = GridLanes{} + kFar;
-  GridLanes x_min = high, y_min = high, x_max = low, y_max = low;
-  for (std::size_t n = 0; n < kPoints; n += kGridLanes) {
-    GridLanes x, y, z;
-    std::memcpy(&x, points.x.data() + n, sizeof(x));
-    std::memcpy(&y, points.y.data() + n, sizeof(y));
-    std::memcpy(&z, points.z.data() + n, sizeof(z));
-    const GridMasks in = z - nearest <= deep;
+  const DoubleLanes low = DoubleLanes{} - kFar, high = DoubleLanes{} + kFar;
+  DoubleLanes x_min = high, y_min = high, x_max = low, y_max = low;
+  for (std::size_t n = 0; n < kPoints; n += kDoubleLanes) {
+    DoubleLanes x, y, z;
+    load(points.x.data() + n, x), load(points.y.data() + n, y), load(points.z.data() + n, z);
+    const DoubleMasks in = z - nearest <= deep;
     lower_to(in ? x : high, x_min), raise_to(in ? x : low, x_max);
     lower_to(in ? y : high, y_min), raise_to(in ? y : low, y_max);
   }
@@ -133,12 +127,12 @@ struct Span {
 
 QUADRILLE_VECTOR_CLONES
 Span span_of(const std::array<double, kPoints>& values) {
-  GridLanes low, high;
-  std::memcpy(&low, values.data(), sizeof(low));
+  DoubleLanes low, high;
+  load(values.data(), low);
   high = low;
-  for (std::size_t n = kGridLanes; n < kPoints; n += kGridLanes) {
-    GridLanes lanes;
-    std::memcpy(&lanes, values.data() + n, sizeof(lanes));
+  for (std::size_t n = kDoubleLanes; n < kPoints; n += kDoubleLanes) {
+    DoubleLanes lanes;
+    load(values.data() + n, lanes);
     lower_to(lanes, low), raise_to(lanes, high);
   }
   return {least_of(low), greatest_of(high)};

@@ -19,3 +19,8 @@
 #else
 #define QUADRILLE_VECTOR_CLONES
 #endif
+
+// Marks a function that such functions call in their loops. It is compiled into each of the
+// versions and becomes vector instructions there; a function of its own, and any template, gets one
+// version.
+#define QUADRILLE_INTO_CLONES inline __attribute__((always_inline))

@@ -21,7 +21,7 @@ struct SumPointers {
 using PointCells = std::array<int, kChunk>;
 
 // The compiler makes vectors of this only if the grid comes by value and nothing branches.
-[[gnu::always_inline]] inline PointCells cells_of(CellGrid grid, const SeenPoints& t) {
+QUADRILLE_INTO_CLONES PointCells cells_of(CellGrid grid, const SeenPoints& t) {
   PointCells cells;
   const int last_i = grid.width - 1, last_j = grid.height - 1;
   for (int k = 0; k < kChunk; ++k) {
@@ -34,8 +34,8 @@ using PointCells = std::array<int, kChunk>;
 }
 
 /// Adds points to the sums of their cells, run by run of points that share a cell.
-[[gnu::always_inline]] inline void add_runs(const SeenPoints& t, const PointCells& cells,
-                                            const SumPointers& sums) {
+QUADRILLE_INTO_CLONES void add_runs(const SeenPoints& t, const PointCells& cells,
+                                    const SumPointers& sums) {
   const float *const u_k = t.u.data(), *const v_k = t.v.data(), *const w_k = t.w.data();
   for (int k = 0; k < kChunk;) {
     const int c = cells.data()[k];
@@ -54,7 +54,7 @@ using PointCells = std::array<int, kChunk>;
 
 /// True if the points are pairs in consecutive cells: two in each from the first cell on.
 /// @param alone  1 if the first point is alone in its cell, and so the last; otherwise 0
-[[gnu::always_inline]] inline bool are_pairs(const PointCells& cells, int alone) {
+QUADRILLE_INTO_CLONES bool are_pairs(const PointCells& cells, int alone) {
   int other = 0;
   QUADRILLE_KEEP_LOOP
   for (int k = 0; k < kChunk; ++k) other |= cells[k] ^ (cells[0] + ((k + alone) >> 1));
@@ -65,14 +65,12 @@ using PointCells = std::array<int, kChunk>;
 constexpr std::ptrdiff_t kPair = 2;
 
 /// Adds pairs of values to consecutive sums.
-[[gnu::always_inline]] inline void sum_pairs(const float* __restrict pairs,
-                                             float* __restrict sums) {
+QUADRILLE_INTO_CLONES void sum_pairs(const float* __restrict pairs, float* __restrict sums) {
   QUADRILLE_KEEP_LOOP
   for (int k = 0; k < kLanes; ++k) sums[k] += pairs[kPair * k] + pairs[kPair * k + 1];
 }
 
-[[gnu::always_inline]] inline void lower_to(const float* __restrict pairs,
-                                            float* __restrict least) {
+QUADRILLE_INTO_CLONES void lower_to(const float* __restrict pairs, float* __restrict least) {
   QUADRILLE_KEEP_LOOP
   for (int k = 0; k < kLanes; ++k) {
     const float a = pairs[kPair * k], b = pairs[kPair * k + 1], low = b < a ? b : a,
@@ -81,7 +79,7 @@ constexpr std::ptrdiff_t kPair = 2;
   }
 }
 
-[[gnu::always_inline]] inline void raise_to(const float* __restrict pairs, float* __restrict most) {
+QUADRILLE_INTO_CLONES void raise_to(const float* __restrict pairs, float* __restrict most) {
   QUADRILLE_KEEP_LOOP
   for (int k = 0; k < kLanes; ++k) {
     const float a = pairs[kPair * k], b = pairs[kPair * k + 1], high = b > a ? b : a,
@@ -92,9 +90,8 @@ constexpr std::ptrdiff_t kPair = 2;
 
 /// Adds pairs of points to consecutive sums.
 /// @param low  inverse depths of which the least count
-[[gnu::always_inline]] inline void add_pairs(const float* n, const float* u, const float* v,
-                                             const float* w, const float* low,
-                                             const SumPointers& sums, int c) {
+QUADRILLE_INTO_CLONES void add_pairs(const float* n, const float* u, const float* v, const float* w,
+                                     const float* low, const SumPointers& sums, int c) {
   sum_pairs(n, sums.n + c);
   sum_pairs(u, sums.u + c);
   sum_pairs(v, sums.v + c);
@@ -107,15 +104,14 @@ constexpr std::ptrdiff_t kPair = 2;
 struct Padded {
   std::array<float, kChunk + 2> values;
 
-  [[gnu::always_inline]] Padded(const std::array<float, kChunk>& of_points, float nothing) {
+  QUADRILLE_INTO_CLONES Padded(const std::array<float, kChunk>& of_points, float nothing) {
     values.front() = values.back() = nothing;
     std::copy_n(of_points.data(), kChunk, values.data() + 1);
   }
 };
 
 /// Adds points for which are_pairs(cells, 1) holds.
-[[gnu::always_inline]] inline void add_late_pairs(const SeenPoints& t, const SumPointers& sums,
-                                                  int c) {
+QUADRILLE_INTO_CLONES void add_late_pairs(const SeenPoints& t, const SumPointers& sums, int c) {
   std::array<float, kChunk> ones;
   ones.fill(1.0f);
   const Padded n(ones, 0.0f), u(t.u, 0.0f), v(t.v, 0.0f), w(t.w, 0.0f);

@@ -69,8 +69,8 @@ struct JoinedLanes {
 /// Joins the cells of two rows two by two.
 /// @param i  the first of them
 /// @param n  number of joined cells
-[[gnu::always_inline]] inline void join_pairs(const DepthCells& fine, const FineRows& rows, int i,
-                                              int n, JoinedLanes* joined) {
+QUADRILLE_INTO_CLONES void join_pairs(const DepthCells& fine, const FineRows& rows, int i, int n,
+                                      JoinedLanes* joined) {
   const float *const n0 = rows[0].n.data() + i, *const n1 = rows[1].n.data() + i;
   const float *const low0 = rows[0].low.data() + i, *const low1 = rows[1].low.data() + i;
   const float *const high0 = rows[0].high.data() + i, *const high1 = rows[1].high.data() + i;

@@ -62,7 +62,7 @@ struct CellRun {
 struct Heights {
   std::array<float, kLanes> one, s, t, h;
 
-  [[gnu::always_inline]] Heights(const CellRun& run, const Patch& patch) {
+  QUADRILLE_INTO_CLONES Heights(const CellRun& run, const Patch& patch) {
     const DepthCells& cells = run.cells;
     const float over = 1.0f / patch.w0;
     std::array<int, kLanes> count{};

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "base/vector_clones.hpp"
+#include "base/strands.hpp"
 
 namespace quadrille {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-using Lanes __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
+using Lanes = StrandsOf<float>::Type;
 using Masks __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = int;
 using Halves __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = long long;
 
@@ -26,12 +26,8 @@ struct alignas(32) Ball {
 /// Eight floats at any alignment.
 using Loose __attribute__((vector_size(kLanes * sizeof(float)), aligned(4), may_alias)) = float;
 
-inline __attribute__((always_inline)) void clear_outside(const Masks& in, Lanes& values) {
+QUADRILLE_INTO_CLONES void clear_outside(const Masks& in, Lanes& values) {
   values = reinterpret_cast<Lanes>(in & reinterpret_cast<Masks>(values));
-}
-
-inline __attribute__((always_inline)) float total(const Lanes& s) {
-  return (s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7]));
 }
 
 /// Computes the sums over the ball, the squared distances of all voxels, the starts of the runs
@@ -64,7 +60,7 @@ int sum_ball(const float* x, const float* y, const float* z, int size, Ball* bal
     xy += dx * dy, yz += dy * dz, zx += dz * dx;
   }
   const Lanes sums[10] = {__builtin_convertvector(n, Lanes), sx, sy, sz, xx, yy, zz, xy, yz, zx};
-  for (int k = 0; k < 10; ++k) ball->sum[k] = total(sums[k]);
+  for (int k = 0; k < 10; ++k) ball->sum[k] = static_cast<float>(sum_of_strands(sums[k]));
   return runs;
 }
 
