@@ -7,6 +7,7 @@
 #include "fit/posed_quadric.hpp"
 #include "samples/region.hpp"
 #include "search/axes/normal_line.hpp"
+#include "surfaces/evidence/box_test.hpp"
 
 namespace quadrille {
 namespace {
@@ -19,7 +20,7 @@ constexpr double kMaxRadius = 3.0;
 
 /// A cylinder about an axis, by the map to the frame of the axis.
 struct AxisTest {
-  float X[3][4];
+  AffineRows rows;
   float max_square, low, high;
 };
 
@@ -38,11 +39,9 @@ LineCounts count_lines(const AxisTest& t, const SampleRows& s) {
   int meet = 0, all = 0;
   for (int k = 0; k < s.size; ++k) {
     const float px = s.x[k], py = s.y[k], pz = s.z[k], qx = s.nx[k], qy = s.ny[k], qz = s.nz[k];
-    const float x = t.X[0][0] * px + t.X[0][1] * py + t.X[0][2] * pz + t.X[0][3];
-    const float y = t.X[1][0] * px + t.X[1][1] * py + t.X[1][2] * pz + t.X[1][3];
-    const float z = t.X[2][0] * px + t.X[2][1] * py + t.X[2][2] * pz + t.X[2][3];
-    const float nx = t.X[0][0] * qx + t.X[0][1] * qy + t.X[0][2] * qz;
-    const float ny = t.X[1][0] * qx + t.X[1][1] * qy + t.X[1][2] * qz;
+    const float x = t.rows.of_point(0, px, py, pz), y = t.rows.of_point(1, px, py, pz);
+    const float z = t.rows.of_point(2, px, py, pz);
+    const float nx = t.rows.of_direction(0, qx, qy, qz), ny = t.rows.of_direction(1, qx, qy, qz);
     const float square = x * x + y * y, sine = nx * nx + ny * ny;
     const float miss = x * ny - y * nx;
     const float max_miss = std::max(kCells * s.cell[k] * s.cell[k], kShare * square);
@@ -70,10 +69,7 @@ AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBlocks
   }
   radius = kReach * std::min(std::sqrt(radius), static_cast<float>(kMaxRadius * local.scale));
   low -= radius, high += radius;
-  AxisTest test{{}, radius * radius, low, high};
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 4; ++c) test.X[r][c] = X_AC(r, c);
-  }
+  const AxisTest test{AffineRows(X_AC), radius * radius, low, high};
   const Eigen::AlignedBox3f box(Eigen::Vector3f(-radius, -radius, low),
                                 Eigen::Vector3f(radius, radius, high));
   // The region's own samples are counted with the others and then taken off.

@@ -6,6 +6,7 @@
 #include "base/vector_clones.hpp"
 #include "fit/half_gradient.hpp"
 #include "samples/plane_sums.hpp"
+#include "surfaces/evidence/box_test.hpp"
 
 namespace quadrille {
 namespace {
@@ -22,12 +23,6 @@ Eigen::Matrix3f principal_axes(const PlaneSums& sums) {
   return eigen.computeDirect(covariance).eigenvectors().transpose().cast<float>();
 }
 
-/// A box along principal axes, by the map to its frame.
-struct IntruderTest {
-  float X[3][4];
-  float low[3], high[3];
-};
-
 /// Numbers of samples in the box that lie off the quadric, on the side to which its gradient points
 /// and on either side.
 struct SideCounts {
@@ -35,14 +30,10 @@ struct SideCounts {
 };
 
 QUADRILLE_VECTOR_CLONES
-SideCounts count_sides(const IntruderTest& t, Coefficients<float> q, const SampleRows& s) {
+SideCounts count_sides(const BoxTest& box, Coefficients<float> q, const SampleRows& s) {
   int ahead = 0, all = 0;
   for (int k = 0; k < s.size; ++k) {
-    int inside = 1;
-    for (int r = 0; r < 3; ++r) {
-      const float c = t.X[r][0] * s.x[k] + t.X[r][1] * s.y[k] + t.X[r][2] * s.z[k] + t.X[r][3];
-      inside &= (c >= t.low[r]) & (c <= t.high[r]);
-    }
+    int inside = box.holds(s.x[k], s.y[k], s.z[k]);
     const HalfGradient<float> g = half_gradient(q, s.x[k], s.y[k], s.z[k]);
     // The distance is f / 2 |g|.
     const float limit = kOffSigmas * s.sigma[k] + kOffCells * s.cell[k];
@@ -76,11 +67,7 @@ void add_intruders(const SurfaceSamples& samples, const SampleBlocks& blocks,
   Eigen::AlignedBox3f box;
   for (const int i : region) box.extend(Eigen::Vector3f(axes * (samples.raw[i] - centre)));
   const Eigen::Affine3f X_BC = Eigen::Affine3f(axes) * Eigen::Translation3f(-centre);
-  IntruderTest test;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 4; ++c) test.X[r][c] = X_BC(r, c);
-    test.low[r] = box.min()[r], test.high[r] = box.max()[r];
-  }
+  const BoxTest test(X_BC, box);
   // The region's own samples are counted with the others and then taken off.
   const SampleTable own(samples, region);
   const SideCounts within = count_sides(test, q, own.rows());

@@ -1,7 +1,6 @@
 #include "surfaces/evidence/sample_blocks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "base/buckets.hpp"
 #include "base/vector_clones.hpp"
 #include "samples/voxel/voxel_grid.hpp"
+#include "surfaces/evidence/box_test.hpp"
 
 namespace quadrille {
 namespace {
@@ -19,24 +19,6 @@ constexpr float kEdgeCells = 16.0f;
 constexpr float kRounding = 1e-5f;
 // Positions are tested in steps of this many, so rows are longer by as much.
 constexpr int kStep = 32;
-
-/// A box in its frame and the map to it, as plain numbers.
-struct BoxTest {
-  float X[3][4];
-  float low[3], high[3];
-};
-
-BoxTest test_of(const Eigen::Affine3f& X, const Eigen::AlignedBox3f& box) {
-  BoxTest test;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 4; ++c) test.X[r][c] = X(r, c);
-    const float slack =
-        kRounding * (std::abs(X(r, 3)) + std::abs(box.min()[r]) + std::abs(box.max()[r]));
-    test.low[r] = box.min()[r] - slack;
-    test.high[r] = box.max()[r] + slack;
-  }
-  return test;
-}
 
 /// Finds those of the first `size` positions that lie in a box.
 /// @param sample  number of the sample at each position
@@ -50,13 +32,7 @@ std::size_t find_inside(BoxTest test, int size, const float* x, const float* y, 
     char inside[kStep];
     const int step = std::min(kStep, size - start);
     for (int k = 0; k < kStep; ++k) {
-      char in = 1;
-      for (int r = 0; r < 3; ++r) {
-        const float c = test.X[r][0] * x[start + k] + test.X[r][1] * y[start + k] +
-                        test.X[r][2] * z[start + k] + test.X[r][3];
-        in &= (c >= test.low[r]) & (c <= test.high[r]);
-      }
-      inside[k] = in;
+      inside[k] = static_cast<char>(test.holds(x[start + k], y[start + k], z[start + k]));
     }
     for (int k = 0; k < step; ++k) {
       list[found] = sample[start + k];
@@ -104,7 +80,7 @@ SampleBlocks::SampleBlocks(const SurfaceSamples& samples) {
 
 std::vector<const SampleBlocks::Block*> SampleBlocks::blocks_near(
     const Eigen::Affine3f& X_BC, const Eigen::AlignedBox3f& box_B) const {
-  const BoxTest test = test_of(X_BC, box_B);
+  const BoxTest test(X_BC, box_B, kRounding);
   const Eigen::Array3f low = Eigen::Array3f::Map(test.low), high = Eigen::Array3f::Map(test.high);
   const Eigen::Array3f stretch = (1.0f + kRounding) * X_BC.linear().rowwise().norm().array();
   std::vector<const Block*> near;
@@ -126,7 +102,7 @@ std::vector<SampleRows> SampleBlocks::near_box(const Eigen::Affine3f& X_BC,
 
 std::vector<int> SampleBlocks::in_box(const Eigen::Affine3f& X_BC,
                                       const Eigen::AlignedBox3f& box_B) const {
-  const BoxTest test = test_of(X_BC, box_B);
+  const BoxTest test(X_BC, box_B, kRounding);
   const std::vector<const Block*> near = blocks_near(X_BC, box_B);
   std::size_t size = 0;
   for (const Block* block : near) size += static_cast<std::size_t>(block->size);
