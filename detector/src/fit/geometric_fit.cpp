@@ -5,9 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
+#include "fit/distance_sums.hpp"
 #include "fit/family_spec.hpp"
-#include "fit/normal_equations.hpp"
 #include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
@@ -70,31 +71,15 @@ struct Step {
 
   Step(const FamilySpec& spec, const PosedQuadric& q, const Normal& N) {
     const Tangent T = tangent_space(spec, q);
-    switch (T.cols()) {
-      case 3:
-        project<3>(T, N);
-        break;
-      case 4:
-        project<4>(T, N);
-        break;
-      case 5:
-        project<5>(T, N);
-        break;
-      case 6:
-        project<6>(T, N);
-        break;
-      case 7:
-        project<7>(T, N);
-        break;
-      case 8:
-        project<8>(T, N);
-        break;
-      case 10:
-        project<10>(T, N);
-        break;
-      default:
-        throw std::logic_error("no family has so many parameters");
+    if (!project_any(T, N, std::integer_sequence<int, 3, 4, 5, 6, 7, 8, 10>())) {
+      throw std::logic_error("no family has so many parameters");
     }
+  }
+
+  /// Calls project() for the number of parameters; returns false if it is none of these.
+  template <int... n>
+  bool project_any(const Tangent& T, const Normal& N, std::integer_sequence<int, n...>) {
+    return ((T.cols() == n && (project<n>(T, N), true)) || ...);
   }
 
   /// Sets A and b. The number of parameters is known at compile time, so the loops are unrolled.
@@ -162,8 +147,7 @@ std::optional<FamilyFit> refine(DistanceSums<Scalar>* points, Family family,
   fit.family = family;
   fit.posed = start;
   fit.points = static_cast<int>(points->points());
-  points->evaluate(start.matrix());
-  const Normal N = points->normal_equations();
+  const Normal N = points->evaluate(start.matrix()).normal_equations();
   if (!N.allFinite()) return std::nullopt;
   fit.rss = N(10, 10);
   Step step(spec, fit.posed, N);
@@ -175,8 +159,7 @@ std::optional<FamilyFit> refine(DistanceSums<Scalar>* points, Family family,
     if (gain < min_gain * fit.rss) break;
     if (fit.rss - gain > kMaxPromised[std::min<std::size_t>(i, 2)] * wanted) break;
     const PosedQuadric next = moved(family, fit.posed, change);
-    points->evaluate(next.matrix());
-    const double rss = points->squares();
+    const double rss = points->evaluate(next.matrix()).squares();
     if (rss < fit.rss) {
       const bool converged = rss > (1.0 - kLastGain * min_gain) * fit.rss;
       fit.posed = next;
@@ -198,7 +181,7 @@ template std::optional<FamilyFit> refine(DistanceSums<double>*, Family, const Po
                                          double, double);
 
 Eigen::MatrixXd information(const OrientedPointsf& points, const FamilyFit& fit) {
-  const Normal N = normal_equations(points, fit.posed.matrix());
+  const Normal N = DistanceSums(points).evaluate(fit.posed.matrix()).normal_equations();
   return Step(family_spec(fit.family), fit.posed, N).A;
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "fit/distance_sums.hpp"
 #include "fit/family_fit.hpp"
-#include "fit/normal_equations.hpp"
 #include "fit/oriented_points.hpp"
 #include "quadrille/detector/quadric.hpp"
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "fit/distance_sums.hpp"
 #include "fit/family_fit.hpp"
-#include "fit/normal_equations.hpp"
 #include "fit/starts.hpp"
 
 namespace quadrille {

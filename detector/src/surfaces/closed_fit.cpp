@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "fit/distance_sums.hpp"
 #include "fit/geometric_fit.hpp"
 #include "fit/model_selection.hpp"
-#include "fit/normal_equations.hpp"
 
 namespace quadrille {
 namespace {
@@ -85,9 +85,9 @@ double rms_std(const std::vector<OutlinePoint>& outline) {
   return std::sqrt(sum / static_cast<double>(outline.size()));
 }
 
-/// The cylinder that explains a wall and an outline best. A sensor may blur
-/// edges along one direction more than along others, so a residual below the outline's deviation is
-/// no evidence for an ellipse.
+/// The cylinder that explains a wall and an outline best. A sensor may blur edges along one
+/// direction more than along others, so a residual below the outline's deviation is no evidence for
+/// an ellipse.
 std::optional<FamilyFit> best_cylinder(const Wall& wall, const std::vector<OutlinePoint>& outline,
                                        const OrientedPointsf& points) {
   const auto elliptic = elliptic_start(points, canonical_form(wall.fit.posed).X);
@@ -144,8 +144,9 @@ std::optional<ClosedFit> fit_closed(const Wall& wall, const std::vector<OutlineP
     fit = best_cylinder(wall, on, points);
     if (!fit) return std::nullopt;
   }
-  const double alone = sum_of_squares(wall.points, wall.fit.posed.matrix());
-  const double now = sum_of_squares(wall.points, fit->posed.matrix());
+  DistanceSums sums(wall.points);
+  const double alone = sums.evaluate(wall.fit.posed.matrix()).squares();
+  const double now = sums.evaluate(fit->posed.matrix()).squares();
   if (now > kMaxWorse * kMaxWorse * alone) return std::nullopt;
   fit->rss = now * static_cast<double>(points.size()) / static_cast<double>(wall.points.size());
   return ClosedFit{std::move(*fit), std::move(points), kCommonShare * rms_std(on)};

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/distance_sums.hpp"
 #include "fit/family_spec.hpp"
 #include "fit/model_selection.hpp"
-#include "fit/normal_equations.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 
@@ -21,6 +21,10 @@ PosedQuadric disturbed(Family family, const PosedQuadric& truth, double size,
   Eigen::VectorXd step(static_cast<Eigen::Index>(spec.shapes.size() + spec.motions.size()));
   for (double& s : step) s = size * (2.0 * random.uniform() - 1.0);
   return moved(family, truth, step);
+}
+
+double sum_of_squares(const OrientedPointsf& points, const Eigen::Matrix4d& Q) {
+  return DistanceSums(points).evaluate(Q).squares();
 }
 
 }  // namespace

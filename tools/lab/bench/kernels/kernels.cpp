@@ -10,8 +10,8 @@
 
 #include "fit/closed_form/initial_general.hpp"
 #include "fit/closed_form/initial_sphere.hpp"
+#include "fit/distance_sums.hpp"
 #include "fit/geometric_fit.hpp"
-#include "fit/normal_equations.hpp"
 #include "lab/scoring/frame.hpp"
 #include "samples/depth/coarser_cells.hpp"
 #include "samples/depth/depth_cells.hpp"
@@ -179,7 +179,8 @@ BENCHMARK(grow_from_truth)->Unit(benchmark::kMicrosecond);
 void normal_equations_of_points(benchmark::State& state) {
   const OrientedPointsf points = patch_points(static_cast<int>(state.range(0)));
   const Eigen::Matrix4d Q = truth_local();
-  for (auto _ : state) benchmark::DoNotOptimize(normal_equations(points, Q));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(DistanceSums(points).evaluate(Q).normal_equations());
   state.SetItemsProcessed(state.iterations() * points.size());
 }
 BENCHMARK(normal_equations_of_points)->Arg(128)->Arg(1000);
@@ -187,7 +188,7 @@ BENCHMARK(normal_equations_of_points)->Arg(128)->Arg(1000);
 void sum_of_squares_of_points(benchmark::State& state) {
   const OrientedPointsf points = patch_points(static_cast<int>(state.range(0)));
   const Eigen::Matrix4d Q = truth_local();
-  for (auto _ : state) benchmark::DoNotOptimize(sum_of_squares(points, Q));
+  for (auto _ : state) benchmark::DoNotOptimize(DistanceSums(points).evaluate(Q).squares());
   state.SetItemsProcessed(state.iterations() * points.size());
 }
 BENCHMARK(sum_of_squares_of_points)->Arg(128)->Arg(1000);

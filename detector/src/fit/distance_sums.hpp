@@ -26,7 +26,8 @@ class DistanceSums {
   /// Number of points.
   Eigen::Index points() const { return points_; }
   /// Sets the quadric for squares() and normal_equations(), before which it must be called.
-  void evaluate(const Eigen::Matrix4d& Q);
+  /// @return itself
+  DistanceSums& evaluate(const Eigen::Matrix4d& Q);
   /// Sum of the squares of r.
   double squares() const;
   /// The 11x11 matrix [JᵀJ Jᵀr; rᵀJ rᵀr], where J = dr/dq. Rows are in the order of q, the residual
@@ -41,13 +42,5 @@ class DistanceSums {
   /// The least length that a gradient counts as.
   Scalar min_slope_ = 0;
 };
-
-/// DistanceSums::normal_equations() for one quadric.
-template <typename Scalar>
-Matrix11d normal_equations(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q);
-
-/// DistanceSums::squares() for one quadric.
-template <typename Scalar>
-double sum_of_squares(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q);
 
 }  // namespace quadrille

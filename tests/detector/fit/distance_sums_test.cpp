@@ -1,4 +1,4 @@
-#include "fit/normal_equations.hpp"
+#include "fit/distance_sums.hpp"
 
 #include <cmath>
 
@@ -37,7 +37,7 @@ Eigen::Matrix<double, 11, 11> by_differences(const std::vector<OrientedPoint>& p
 }  // namespace
 
 TEST_CASE("the normal equations are those of differences, for any number of points",
-          "[normal_equations]") {
+          "[distance_sums]") {
   RandomStream random(91, 0);
   for (const FamilyExample& example : family_examples()) {
     // Below, at and above whole chunks of points.
@@ -47,20 +47,24 @@ TEST_CASE("the normal equations are those of differences, for any number of poin
       for (OrientedPoint& p : points) p.x += 0.05 * gaussian(random) * p.n;
       const Quadric Q = Quadric(example.D).normalized();
       const auto expected = by_differences(points, Q);
-      const auto N = normal_equations(to_fit_points(points), Q.matrix());
+      const auto fit_points = to_fit_points(points);
+      DistanceSums sums(fit_points);
+      const auto N = sums.evaluate(Q.matrix()).normal_equations();
       CHECK((N - expected).norm() < 1e-3 * expected.norm());
       CHECK(N(10, 10) == Approx(expected(10, 10)).epsilon(1e-3));
-      CHECK(sum_of_squares(to_fit_points(points), Q.matrix()) ==
-            Approx(expected(10, 10)).epsilon(1e-3));
-      const auto exact = to_oriented_points<double>(points);
-      CHECK((normal_equations(exact, Q.matrix()) - expected).norm() < 1e-6 * expected.norm());
-      CHECK(sum_of_squares(exact, Q.matrix()) == Approx(expected(10, 10)).epsilon(1e-9));
+      CHECK(sums.squares() == Approx(expected(10, 10)).epsilon(1e-3));
+      const auto exact_points = to_oriented_points<double>(points);
+      DistanceSums exact(exact_points);
+      exact.evaluate(Q.matrix());
+      CHECK((exact.normal_equations() - expected).norm() < 1e-6 * expected.norm());
+      CHECK(exact.squares() == Approx(expected(10, 10)).epsilon(1e-9));
     }
   }
 }
 
-TEST_CASE("no point gives sums of zero", "[normal_equations]") {
+TEST_CASE("no point gives sums of zero", "[distance_sums]") {
   const OrientedPointsf none(0);
-  CHECK(normal_equations(none, Eigen::Matrix4d::Identity()).norm() == 0.0);
-  CHECK(sum_of_squares(none, Eigen::Matrix4d::Identity()) == 0.0);
+  DistanceSums sums(none);
+  CHECK(sums.evaluate(Eigen::Matrix4d::Identity()).normal_equations().norm() == 0.0);
+  CHECK(sums.squares() == 0.0);
 }

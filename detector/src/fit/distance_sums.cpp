@@ -1,4 +1,4 @@
-#include "fit/normal_equations.hpp"
+#include "fit/distance_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +144,7 @@ std::span<PointChunk<Scalar>> DistanceSums<Scalar>::chunks() const {
 }
 
 template <typename Scalar>
-void DistanceSums<Scalar>::evaluate(const Eigen::Matrix4d& Q) {
+DistanceSums<Scalar>& DistanceSums<Scalar>::evaluate(const Eigen::Matrix4d& Q) {
   using Map = Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>;
   const Coefficients<Scalar> q(Q);
   double slopes = 0;
@@ -156,6 +156,7 @@ void DistanceSums<Scalar>::evaluate(const Eigen::Matrix4d& Q) {
   }
   const double n = std::max(1.0, static_cast<double>(points_));
   min_slope_ = std::max(Scalar(1e-20), Scalar(kWeakGradient) * static_cast<Scalar>(slopes / n));
+  return *this;
 }
 
 template <typename Scalar>
@@ -178,25 +179,7 @@ Matrix11d DistanceSums<Scalar>::normal_equations() const {
   return N.template selfadjointView<Eigen::Upper>();
 }
 
-template <typename Scalar>
-Matrix11d normal_equations(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q) {
-  DistanceSums<Scalar> sums(points);
-  sums.evaluate(Q);
-  return sums.normal_equations();
-}
-
-template <typename Scalar>
-double sum_of_squares(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q) {
-  DistanceSums<Scalar> sums(points);
-  sums.evaluate(Q);
-  return sums.squares();
-}
-
 template class DistanceSums<float>;
 template class DistanceSums<double>;
-template Matrix11d normal_equations(const OrientedPointsf&, const Eigen::Matrix4d&);
-template Matrix11d normal_equations(const OrientedPointsd&, const Eigen::Matrix4d&);
-template double sum_of_squares(const OrientedPointsf&, const Eigen::Matrix4d&);
-template double sum_of_squares(const OrientedPointsd&, const Eigen::Matrix4d&);
 
 }  // namespace quadrille
