@@ -73,6 +73,14 @@ struct SceneParts {
   std::optional<ObstacleMap> map;
   std::vector<std::string> warnings;
   std::vector<StageTime> timings;
+
+  /// Refuses a detection or box as a target; only if it is wanted, this counts.
+  void refuse(int id, Refusal why, bool wanted = true) {
+    why_none[id] = "cannot be held: " + std::string(to_string(why));
+    if (!wanted) return;
+    ++refusals[why];
+    refused.emplace(id, why);
+  }
 };
 
 }  // namespace quadrille

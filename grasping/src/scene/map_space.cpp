@@ -1,0 +1,106 @@
+#include "scene/map_space.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iomanip>
+#include <memory>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "space/map_limits.hpp"
+#include "space/space_mapper.hpp"
+#include "space/surface_cover.hpp"
+
+namespace quadrille {
+namespace {
+
+/// Returns the resolution [m] at which the region around all targets is mapped, and warns if it is
+/// coarser than asked for.
+double resolution_for(const Eigen::AlignedBox3d& region, SceneParts* parts) {
+  const double wanted = parts->options.resolution;
+  if (region.isEmpty()) return wanted;
+  const double resolution = fit_resolution(region, wanted);
+  if (resolution > wanted) {
+    std::ostringstream text;
+    text << std::setprecision(3) << "the targets lie far apart: occupancy is mapped at "
+         << 1000.0 * resolution << " mm in place of " << 1000.0 * wanted
+         << " mm; crop the cloud for a finer map";
+    parts->warnings.push_back(text.str());
+  }
+  return resolution;
+}
+
+/// Marks the strays of a view, and the points that show what views before it show.
+std::vector<std::uint8_t> without_repeats(const DepthView& view,
+                                          const std::vector<Eigen::Vector3f>& points,
+                                          const SurfaceCover& before, bool first) {
+  std::vector<std::uint8_t> left_out = view.stray();
+  if (first) return left_out;
+  for (std::size_t n = 0; n < points.size(); ++n) left_out[n] |= before.covers(points[n]);
+  return left_out;
+}
+
+/// Keeps the points of a view that lie in a region.
+void keep_points(const std::vector<Eigen::Vector3f>& points, std::size_t view,
+                 const Eigen::AlignedBox3f& region, const std::vector<std::uint8_t>& left_out,
+                 ViewedPoints* kept) {
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (region.contains(points.data()[n]) && !left_out.data()[n]) {
+      kept->p_C.push_back(points.data()[n]);
+    }
+  }
+  kept->view.resize(kept->p_C.size(), static_cast<int>(view));
+}
+
+/// Adds the points of all views to the map, and keeps those around the targets.
+void add_views(const ViewClouds& views, const Eigen::AlignedBox3d& region, SpaceMapper* mapper,
+               SceneParts* parts) {
+  // A single view has nothing to repeat.
+  SurfaceCover cover(views.size() > 1 ? region : Eigen::AlignedBox3d(), mapper->resolution());
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const PointCloud& things = *views[v].things;
+    const std::vector<std::uint8_t> left_out =
+        without_repeats(parts->views[v], things.points, cover, v == 0);
+    mapper->add_points(things, left_out);
+    keep_points(things.points, v, region.cast<float>(), left_out, &parts->points);
+    if (v + 1 < views.size()) cover.add(things.points, left_out);
+  }
+  parts->points.runs = CloudRuns(parts->points.p_C);
+}
+
+/// Returns the normal of the first support; zero if no space is to be cleared above it.
+Eigen::Vector3d up_to_clear(const SceneParts& parts) {
+  const auto standing = std::find_if(parts.targets.begin(), parts.targets.end(),
+                                     [](const Target& target) { return !target.supports.empty(); });
+  const bool clears = parts.options.clear_above && parts.views.front().valid();
+  return clears && standing != parts.targets.end() ? standing->up_C() : Eigen::Vector3d::Zero();
+}
+
+}  // namespace
+
+void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* parts) {
+  Eigen::AlignedBox3d region;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Target& target : parts->targets) {
+    region.extend(around(target.body, parts->reach));
+    boxes.push_back(around(target.body, parts->reach + kMaxClearance));
+  }
+  SpaceMapper mapper(region, resolution_for(region, parts), std::move(boxes),
+                     parts->options.threads);
+  add_views(views, region, &mapper, parts);
+  const bool occupied_by_map = known.map.tree && mapper.add(known.map);
+  for (const SolidShape& shape : known.robot.shapes) {
+    mapper.free_within(NearShape(shape, known.robot.padding));
+  }
+  parts->space = std::make_shared<OccupancyGrid>(
+      std::move(mapper).take_on_demand(parts->shared_views, up_to_clear(*parts)));
+  if (parts->targets.empty()) return;
+  const UnknownPolicy unknown = parts->options.unknown;
+  parts->map.emplace(*parts->space,
+                     unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
+                     parts->views, !occupied_by_map);
+}
+
+}  // namespace quadrille
