@@ -10,6 +10,7 @@
 namespace quadrille {
 
 bool Support::is_below(const Eigen::Vector3d& p_C) const {
+  // A share of the size: things at the rim of what was seen of a table stand on it too.
   constexpr double kBeside = 0.1;
   const Eigen::Vector2d margin = kBeside * bounds_Q.sizes();
   const Eigen::AlignedBox2d around(bounds_Q.min() - margin, bounds_Q.max() + margin);

@@ -36,6 +36,7 @@ bool all_in_range(const float* points, const float* from) {
 }
 
 RangeCheck count(std::span<const Eigen::Vector3f> points, const Eigen::Vector3f& from) {
+  // Nearly all points are in range, so runs of them are tested at once.
   constexpr std::size_t kRun = 16;
   const Eigen::Matrix<float, 3 * kRun, 1> from_each = from.replicate<kRun, 1>();
   RangeCheck check;

@@ -9,6 +9,8 @@
 namespace quadrille {
 namespace {
 
+// Sectors of 15°: over one, a wall of radius 50 mm has a sagitta of 0.4 mm. Each of them, in each
+// slice, is a convex shape that hands are checked against, so the slices of high walls are few.
 constexpr int kSectors = 24;
 constexpr int kMaxSlices = 8;
 // Height of a slice [m]: over it, a bowl of radius 70 mm has a sagitta of 0.2 mm.

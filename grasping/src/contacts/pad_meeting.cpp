@@ -18,7 +18,8 @@ constexpr double kContactDoubt = 0.0015;
 // truth meet its edge. A pad leans out if it is askew by more than this.
 constexpr double kEndDoubt = 0.005, kMaxAskew = 0.1;
 
-/// Returns the rows of the grid along the approach, from the tip to the back of a finger.
+/// Returns the rows of the grid along the approach, all over a finger from its tip to its back [m].
+/// The first two, the pad's middle and the tip, are where bodies are mostly too wide.
 std::array<double, 8> rows(const Gripper& gripper) {
   const double tip = gripper.finger_front, back = tip - gripper.finger.z();
   return {0.0,
@@ -31,6 +32,7 @@ std::array<double, 8> rows(const Gripper& gripper) {
           0.25 * -tip + 0.75 * back};
 }
 
+// Columns of the grid across a finger, in halves of its breadth, the middle one first.
 constexpr double kColumnsAcross[] = {0.0, -0.5, 0.5, -1.0, 1.0};
 // Slack on a bound on friction, since it is computed with floats.
 constexpr double kFrictionSlack = 0.01;

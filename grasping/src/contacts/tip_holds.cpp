@@ -292,6 +292,7 @@ class Search {
   /// For each plane, the height above which a hand of an orientation, given by that of its origin,
   /// certainly does not sink [m].
   std::vector<double> safe_heights(const Eigen::Matrix3d& R_CG) const {
+    // Far more than what rounding changes in heights of some metres [m].
     constexpr double kRounding = 1e-6;
     std::vector<double> heights;
     const double front = gripper_.finger_front, back = front - gripper_.finger.z();

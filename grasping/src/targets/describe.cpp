@@ -32,6 +32,8 @@ double epsilon(const ContactLine& line, const TargetTask& task, double reach) {
 
 /// Returns the share of the boxes that was seen.
 double seen_share(const std::array<OrientedBox, 2>& boxes, const OccupancyGrid& space) {
+  // A box is looked at in the middles of so many parts; along x, a finger's breadth, it is
+  // thinnest.
   constexpr int kAlongX = 3, kAlongY = 5, kAlongZ = 5;
   int seen = 0;
   for (const OrientedBox& box : boxes) {

@@ -53,6 +53,7 @@ void DepthView::place(const PinholeView& view, const PinholeImage& image) {
 /// Some points in V, and where they lie in the image: pixel (u, v) reaches from there to the next
 /// whole numbers.
 struct DepthView::Projected {
+  // So few that all stay in the L1 cache.
   static constexpr std::size_t kMost = 64;
   std::array<double, kMost> x, y, z, u, v;
 };

@@ -7,6 +7,7 @@
 namespace quadrille {
 namespace {
 
+// Lengths of the vectors v and h whose products are summed.
 constexpr int kValues = 10, kLines = 8;
 
 /// The monomials of the points of a chunk.
