@@ -128,10 +128,6 @@ Eigen::Vector3d outward_normal(const Detection& plane) {
 
 double Face::tolerance() const { return std::clamp(3.0 * sigma, kMinTolerance, kMaxTolerance); }
 
-Eigen::Vector3d Face::on_plane(const Eigen::Vector3d& p_C, const DirectionIndex& sight) const {
-  return OntoPlane(*this, sight)(p_C);
-}
-
 double Face::pitch_along(const Eigen::Vector3d& u_C, const DirectionIndex& sight) const {
   if (!sight.single()) return pitch;
   const double along = u_C.dot((middle_C - sight.eye()).normalized());

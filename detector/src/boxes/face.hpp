@@ -60,9 +60,6 @@ struct Face {
   double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
   /// Points count as part of the face if they lie no farther than this from the plane [m].
   double tolerance() const;
-  /// Intersection of the plane with the line of sight to a point. It is the foot of the
-  /// perpendicular if the line is too oblique or the cloud is not a single view.
-  Eigen::Vector3d on_plane(const Eigen::Vector3d& p_C, const DirectionIndex& sight) const;
   /// Distance between neighbouring points along a unit direction u in the plane [m].
   double pitch_along(const Eigen::Vector3d& u_C, const DirectionIndex& sight) const;
   /// Range of the points along a unit direction, without the outermost hundredth at either end [m].

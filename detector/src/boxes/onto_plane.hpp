@@ -7,8 +7,9 @@
 
 namespace quadrille {
 
-/// Moves points along their lines of sight onto a face's plane; see Face::on_plane(), of which this
-/// is the version for many points.
+/// Moves points along their lines of sight onto a face's plane. If the line of sight is too oblique
+/// to the plane (kMinCosine), or the cloud is not a single view, a point is moved at right angles
+/// to the plane.
 class OntoPlane {
  public:
   OntoPlane(const Face& face, const DirectionIndex& sight)
