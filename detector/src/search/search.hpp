@@ -19,8 +19,10 @@ namespace quadrille {
 /// @param propose  empty for the way that the options select
 /// @param covers   number of candidates that explain a sample before it is no longer a seed, at
 ///   least 1; with more of them the result depends less on the seed
+/// @param threads  number of threads, which call `propose` at once; it never changes the result
 std::vector<Candidate> search(const SurfaceSamples& samples, Mask open,
                               const SearchOptions& options, const InlierTest& inlier,
-                              std::uint64_t seed, Propose propose = {}, int covers = 1);
+                              std::uint64_t seed, Propose propose = {}, int covers = 1,
+                              int threads = 1);
 
 }  // namespace quadrille

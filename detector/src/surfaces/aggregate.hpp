@@ -24,8 +24,10 @@ class Aggregation {
  public:
   /// @param samples  samples to which regions and claims refer; they must outlive this
   /// @param observer  called for each candidate that is tried; may be empty
+  /// @param threads   number of threads that try candidates; it never changes the result
   Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
-              const InlierTest& inlier, SceneContext context = {}, TrialObserver observer = {});
+              const InlierTest& inlier, SceneContext context = {}, TrialObserver observer = {},
+              int threads = 1);
 
   /// Takes candidates, whose regions refer to the samples, and accepts those that qualify.
   /// Candidates refused at a coarse level are kept for the next call.
@@ -39,29 +41,47 @@ class Aggregation {
   void offer_planes(const std::vector<PlaneRegion>& planes);
 
   /// Per sample, nonzero if it belongs to an accepted surface.
-  const Mask& free() const { return claims_.free(); }
+  const Mask& free() const { return accepted_.claims.free(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
-  Trial try_out(PendingCandidate* pending, const Acceptance& asked) const;
-  bool is_promising(PendingCandidate* pending, const Acceptance& asked, Trial* trial) const;
-  double first_confidence(PendingCandidate* pending, double asked) const;
+  /// Where an accepted surface lies.
+  struct Place {
+    Quadric Q;
+    Normalisation local;
+  };
+  /// What the trial of a candidate looks at of the surfaces accepted before.
+  struct Accepted {
+    Claims claims;
+    /// One for each surface.
+    std::vector<Place> places;
+  };
+  class Offer;
+
+  Trial try_out(PendingCandidate* pending, const Acceptance& asked, const Accepted& accepted) const;
+  bool is_promising(PendingCandidate* pending, const Acceptance& asked, const Accepted& accepted,
+                    Trial* trial) const;
+  double first_confidence(PendingCandidate* pending, double asked, const Accepted& accepted) const;
   bool is_acceptable(const Surface& surface, const Acceptance& asked) const;
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
-  void weigh(Surface* surface, double asked = 0.0) const;
+  void accept(Surface surface);
+  void weigh(Surface* surface, const Accepted& accepted, double asked = 0.0) const;
   double asked_of(const Surface& surface, const Acceptance& asked) const;
-  EvidenceSource source() const { return {samples_, blocks_, context_, &claims_}; }
-  const Mask& around(std::span<const int> region) const;
+  EvidenceSource source(const Accepted& accepted) const {
+    return {samples_, blocks_, context_, &accepted.claims};
+  }
+  const Mask& around(std::span<const int> region, const Accepted& accepted) const;
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
   SceneContext context_;
   TrialObserver observer_;
+  int threads_;
   SampleBlocks blocks_;
   Extender extender_;
-  Claims claims_;
+  Accepted accepted_;
   std::vector<PendingCandidate> pending_;
   std::vector<Surface> surfaces_;
 };

@@ -6,15 +6,15 @@
 namespace quadrille {
 
 Claims::Claims(const SurfaceSamples& samples)
-    : parts_(samples),
+    : parts_(std::make_shared<SmoothParts>(samples)),
       free_(static_cast<std::size_t>(samples.size()), 1),
-      open_(static_cast<std::size_t>(parts_.size()), 0) {
-  for (int i = 0; i < samples.size(); ++i) ++open_[parts_.part_of(i)];
+      open_(static_cast<std::size_t>(parts_->size()), 0) {
+  for (int i = 0; i < samples.size(); ++i) ++open_[parts_->part_of(i)];
 }
 
 void Claims::add(std::span<const int> region) {
   for (const int i : region) {
-    open_[parts_.part_of(i)] -= free_[i];
+    open_[parts_->part_of(i)] -= free_[i];
     free_[i] = 0;
   }
 }
@@ -29,8 +29,8 @@ std::vector<int> Claims::open_of(std::span<const int> region) const {
 double Claims::remainder(std::span<const int> region) const {
   std::vector<int> within(open_.size(), 0), open(within);
   for (const int i : region) {
-    ++within[parts_.part_of(i)];
-    open[parts_.part_of(i)] += free_[i];
+    ++within[parts_->part_of(i)];
+    open[parts_->part_of(i)] += free_[i];
   }
   double sum = 0;
   for (std::size_t c = 0; c < open_.size(); ++c) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -9,7 +10,8 @@
 
 namespace quadrille {
 
-/// Records which samples belong to accepted surfaces; each sample is explained only once.
+/// Records which samples belong to accepted surfaces; each sample is explained only once. Copies
+/// are cheap.
 class Claims {
  public:
   explicit Claims(const SurfaceSamples& samples);
@@ -26,7 +28,7 @@ class Claims {
   double remainder(std::span<const int> region) const;
 
  private:
-  SmoothParts parts_;
+  std::shared_ptr<const SmoothParts> parts_;
   Mask free_;
   /// Per smooth part, the number of its unclaimed samples.
   std::vector<int> open_;

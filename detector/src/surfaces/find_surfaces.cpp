@@ -1,9 +1,11 @@
 #include "surfaces/find_surfaces.hpp"
 
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "planes/planes.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "samples/inliers.hpp"
 #include "search/axes/axis_votes.hpp"
 #include "search/axes/coaxial.hpp"
@@ -50,7 +52,8 @@ Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, Inli
 std::vector<Candidate> standing_candidates(const SampleTree& tree, const Eigen::Vector3d& up,
                                            const DetectorOptions& options) {
   const std::vector<Axis> axes = vote_for_axes(tree.level(1), {}, up, options.search.axes);
-  return coaxial_candidates(tree.finest(), {}, axes, options.inlier, options.aggregate.min_samples);
+  return coaxial_candidates(tree.finest(), {}, axes, options.inlier, options.aggregate.min_samples,
+                            options.threads);
 }
 
 /// Axes of accepted surfaces, which may lie or lean.
@@ -68,10 +71,14 @@ std::vector<Axis> axes_of(const std::vector<Surface>& surfaces) {
 
 std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask open,
                                        const DetectorOptions& options, Propose propose) {
+  // The few samples of the coarsest level are searched beside the axes. A caller's own way to
+  // propose may remember what it proposed before.
+  const bool coarsest = level == kLevels - 1;
+  const int threads = coarsest || propose ? 1 : options.threads;
   std::vector<Candidate> candidates =
       search(tree.level(level), std::move(open), options.search, options.inlier,
              options.seed + static_cast<std::uint64_t>(level), std::move(propose),
-             level == kLevels - 1 ? kCoarsestCovers : 1);
+             coarsest ? kCoarsestCovers : 1, threads);
   for (Candidate& c : candidates) c = on_finest(std::move(c), tree, level, options.inlier);
   return candidates;
 }
@@ -81,17 +88,21 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
                           const FindCandidates& find) {
   const std::optional<Eigen::Vector3d> up = context.up;
   Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(context),
-                          std::move(observer));
+                          std::move(observer), options.threads);
   for (int level = kLevels - 1; level >= 0; --level) {
     Mask open = open_samples(tree, level, aggregation.free());
-    std::vector<Candidate> candidates =
-        find ? find(tree, level, std::move(open), options)
-             : find_candidates(tree, level, std::move(open), options);
-    if (level == kLevels - 1 && up) {
-      for (Candidate& c : standing_candidates(tree, *up, options)) {
-        candidates.push_back(std::move(c));
+    const bool with_standing = level == kLevels - 1 && up;
+    std::vector<Candidate> candidates, standing;
+    parallel_for(with_standing ? 2 : 1, options.threads, [&](int task) {
+      if (task == 1) {
+        standing = standing_candidates(tree, *up, options);
+      } else if (find) {
+        candidates = find(tree, level, std::move(open), options);
+      } else {
+        candidates = find_candidates(tree, level, std::move(open), options);
       }
-    }
+    });
+    std::move(standing.begin(), standing.end(), std::back_inserter(candidates));
     clock.end("search");
     aggregation.offer(std::move(candidates),
                       level > 0 ? SearchLevel::kCoarse : SearchLevel::kFinest);
@@ -101,7 +112,7 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
   if (options.search.axes > 0) {
     aggregation.offer(
         coaxial_candidates(tree.finest(), aggregation.free(), axes_of(aggregation.surfaces()),
-                           options.inlier, options.aggregate.min_samples),
+                           options.inlier, options.aggregate.min_samples, options.threads),
         SearchLevel::kFinest);
     clock.end("aggregate");
   }

@@ -29,8 +29,11 @@ struct PendingCandidate {
   /// many samples are the same samples.
   void set_open(std::vector<int> now) {
     if (now.size() == open.size()) return;
-    *this = PendingCandidate(std::move(candidate));
     open = std::move(now);
+    spread.reset();
+    evidence.reset();
+    looked_through = false;
+    fit.reset();
   }
 };
 

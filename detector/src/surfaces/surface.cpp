@@ -50,9 +50,9 @@ bool is_thin(const Surface& surface, const SurfaceSamples& samples) {
   });
 }
 
-double rms_distance(const Surface& surface, const SurfaceSamples& samples,
+double rms_distance(const Quadric& quadric, const SurfaceSamples& samples,
                     std::span<const int> region) {
-  const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
+  const Eigen::Matrix4f Q = quadric.matrix().cast<float>();
   double sum = 0;
   for (const int i : region) {
     const double d = distance_to(Q, samples.raw[i]);

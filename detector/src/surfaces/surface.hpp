@@ -53,8 +53,8 @@ ConfidenceTerms terms_of(const Surface& surface);
 bool is_thin(const Surface& surface, const SurfaceSamples& samples);
 
 /// Root mean square first-order distance of the samples of a region, which must not be empty, from
-/// the surface's quadric [m].
-double rms_distance(const Surface& surface, const SurfaceSamples& samples,
+/// a quadric [m].
+double rms_distance(const Quadric& quadric, const SurfaceSamples& samples,
                     std::span<const int> region);
 
 }  // namespace quadrille

@@ -58,7 +58,8 @@ AllParts all_parts(const std::vector<SceneView>& views) {
 /// Chooses among the surfaces of all views.
 std::vector<Surface> choose_surfaces(const Scene& scene, AllParts parts,
                                      const DetectorOptions& options) {
-  Aggregation chosen(scene.finest, options.aggregate, options.inlier, scene.context);
+  Aggregation chosen(scene.finest, options.aggregate, options.inlier, scene.context, {},
+                     options.threads);
   const OwnSurfaces own(scene.finest, parts.candidates);
   chosen.offer(std::move(parts.candidates), SearchLevel::kFinest,
                [&](const Surface& surface) { return own.tell_apart(surface.region); });

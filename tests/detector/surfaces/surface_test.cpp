@@ -26,7 +26,7 @@ TEST_CASE("the distance from a wider cylinder is the difference of the radii", "
   const SurfaceSamples samples = cylinder_grid(21, 31, kSurfaceRadius, 0.004, 0.0, 1);
   const double wider = 1.01 * kSurfaceRadius;
   const Surface surface = surface_on(samples, diagonal(1, 1, 0, -wider * wider));
-  CHECK(rms_distance(surface, samples, all_of(samples)) ==
+  CHECK(rms_distance(surface.Q, samples, all_of(samples)) ==
         Approx(0.01 * kSurfaceRadius).epsilon(0.02));
 }
 

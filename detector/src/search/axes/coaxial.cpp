@@ -12,6 +12,7 @@
 
 #include "base/quantile.hpp"
 #include "fit/posed_quadric.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "search/axes/may_meet_axis.hpp"
 #include "search/axes/normal_line.hpp"
 #include "search/axes/point_runs.hpp"
@@ -162,22 +163,25 @@ Candidate candidate_of(const Piece& piece, const Eigen::Isometry3d& X_CA) {
 
 std::vector<Candidate> coaxial_candidates(const SurfaceSamples& samples, const Mask& free,
                                           const std::vector<Axis>& axes, const InlierTest& test,
-                                          int min_samples) {
+                                          int min_samples, int threads) {
   if (samples.size() == 0) return {};
   std::vector<float> cells = samples.cell;
   const float cell = quantile(cells, 0.5);
   const PointRuns runs(samples.raw);
   const PieceSearch search(test, min_samples, kMaxRadius * cell);
-  std::vector<std::pair<float, Candidate>> found;
-  for (const Axis& axis : axes) {
+  std::vector<std::vector<std::pair<float, Candidate>>> of_axes(axes.size());
+  parallel_for(static_cast<int>(axes.size()), threads, [&](int k) {
+    const Axis& axis = axes[k];
     const Eigen::Isometry3d X_CA = pose_along(axis.point, axis.direction);
     AxialSamples about = samples_about(axis, X_CA, samples, runs, free, test, cell);
     for (std::vector<ProfilePoint>* side : {&about.outer, &about.inner}) {
       for (const Piece& piece : search.pieces(std::move(*side))) {
-        found.emplace_back(piece.support, candidate_of(piece, X_CA));
+        of_axes[k].emplace_back(piece.support, candidate_of(piece, X_CA));
       }
     }
-  }
+  });
+  std::vector<std::pair<float, Candidate>> found;
+  for (auto& list : of_axes) std::move(list.begin(), list.end(), std::back_inserter(found));
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   Mask taken(static_cast<std::size_t>(samples.size()), 0);

@@ -24,11 +24,12 @@ namespace quadrille {
 /// revolved about it and are left out. Bases are taken evenly from the samples and not drawn. What
 /// supports the best of them becomes a candidate, fitted by least squares in (h, r), and is set
 /// aside; then the next, on the outer side of the wall and on the inner side alike.
-/// @param free  samples that may support a candidate
+/// @param free     samples that may support a candidate
+/// @param threads  number of threads, each at another axis; it never changes the result
 /// @return candidates with the most support first, of which none shares most of its samples with
 ///   those before it
 std::vector<Candidate> coaxial_candidates(const SurfaceSamples& samples, const Mask& free,
                                           const std::vector<Axis>& axes, const InlierTest& test,
-                                          int min_samples);
+                                          int min_samples, int threads = 1);
 
 }  // namespace quadrille
