@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <list>
 #include <optional>
 #include <utility>
 
+#include "base/mask.hpp"
+#include "base/try_ahead.hpp"
 #include "boxes/box_axes.hpp"
 #include "boxes/box_draft.hpp"
 #include "boxes/box_ends.hpp"
@@ -19,6 +22,7 @@
 #include "cloud/some_points.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 
 namespace quadrille {
 namespace {
@@ -35,39 +39,94 @@ bool is_sound(const Detection& plane) {
 class BoxMaker {
  public:
   BoxMaker(const DirectionIndex& sight, const std::vector<Detection>& detections,
-           const std::vector<FlatPatch>& patches)
-      : sight_(sight) {
+           const std::vector<FlatPatch>& patches, int threads)
+      : sight_(sight), threads_(threads) {
+    std::vector<const Detection*> small;
     for (const Detection& d : detections) {
       last_id_ = std::max(last_id_, d.id);
       if (d.type != QuadricType::kPlane || !is_sound(d)) continue;
       planes_.push_back(&d);
-      if (d.extent_Q.sizes().maxCoeff() > kMaxSide) continue;
-      for (Face& face : faces_of(d, sight_)) faces_.push_back(std::move(face));
+      if (d.extent_Q.sizes().maxCoeff() <= kMaxSide) small.push_back(&d);
     }
-    for (const FlatPatch& flat : patches) {
-      if (is_known(flat.patch)) continue;
-      if (auto face = draft_face(flat, sight_)) faces_.push_back(std::move(*face));
+    std::vector<std::vector<Face>> faces(small.size());
+    parallel_for(static_cast<int>(small.size()), threads_,
+                 [&](int k) { faces[k] = faces_of(*small[k], sight_); });
+    for (std::vector<Face>& of_plane : faces) {
+      std::move(of_plane.begin(), of_plane.end(), std::back_inserter(faces_));
     }
+    add_drafts(patches);
     finish_drafts();
   }
 
   std::vector<Box> make() {
     for (const std::vector<int>& group : group_faces(faces_)) {
-      std::vector<const Face*> faces;
+      std::vector<const Face*>& faces = groups_.emplace_back();
       faces.reserve(group.size());
       for (const int i : group) faces.push_back(&faces_[i]);
-      add(faces);
     }
     for (const Face& face : faces_) {
-      const bool detected = face.id != 0;
-      if (!detected || !is_free(&face)) continue;
-      const BoxDraft draft = draft_of({&face}, sight_);
-      if (is_rectangular(draft)) add({&face}, &draft);
+      if (face.id != 0) groups_.push_back({&face});
     }
+    begun_.assign(groups_.size(), 0);
+    take_steps(this, threads_);
     return std::move(boxes_);
   }
 
+  // Groups of faces are steps for take_steps(). Each makes a box or none, whatever the others make,
+  // but only if its faces are free when it is its turn.
+  struct State {};
+  struct Scratch {};
+  using Outcome = std::optional<Box>;
+  static constexpr std::size_t kTriesPerThread = 2;
+
+  State state() const { return {}; }
+  Scratch scratch() const { return {}; }
+  std::optional<int> first() {
+    while (first_ < groups_.size() && !are_free(groups_[first_])) ++first_;
+    return first_ < groups_.size() ? std::optional<int>(static_cast<int>(first_)) : std::nullopt;
+  }
+  std::optional<int> begin_next() {
+    for (std::size_t k = first_; k < groups_.size(); ++k) {
+      if (begun_[k] || !are_free(groups_[k])) continue;
+      begun_[k] = 1;
+      return static_cast<int>(k);
+    }
+    return std::nullopt;
+  }
+  bool is_left(int step) const {
+    return static_cast<std::size_t>(step) >= first_ && are_free(groups_[step]);
+  }
+  Outcome attempt(int step, State /*same*/, Scratch* /*none*/) const {
+    return box_of(groups_[step]);
+  }
+  bool holds(int /*step*/, const Outcome& /*box*/) const { return true; }
+  bool take(int step, Outcome box) {
+    first_ = static_cast<std::size_t>(step) + 1;
+    if (!box || last_id_ == std::numeric_limits<int>::max()) return false;
+    box->id = ++last_id_;
+    boxes_.push_back(std::move(*box));
+    return true;
+  }
+
  private:
+  /// Drafts the patches that no face covers, not even the draft of a patch before.
+  void add_drafts(const std::vector<FlatPatch>& patches) {
+    std::vector<std::optional<Face>> drafts(patches.size());
+    const auto draft = [&](std::size_t k) { drafts[k] = draft_face(patches[k], sight_); };
+    // Several threads also draft what the draft of an earlier patch will cover.
+    const bool ahead = threads_ > 1;
+    if (ahead) {
+      parallel_for(static_cast<int>(patches.size()), threads_, [&](int k) {
+        if (!is_known(patches[k].patch)) draft(k);
+      });
+    }
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      if (is_known(patches[k].patch)) continue;
+      if (!ahead) draft(k);
+      if (drafts[k]) faces_.push_back(std::move(*drafts[k]));
+    }
+  }
+
   /// Finishes those drafts that may belong to a box, and drops the others: an undetected face makes
   /// no box alone.
   void finish_drafts() {
@@ -75,15 +134,18 @@ class BoxMaker {
     for (const std::vector<int>& group : group_faces(faces_)) {
       for (const int i : group) grouped[i] = 1;
     }
-    std::vector<Face> faces;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
+    std::vector<std::optional<Face>> finished(faces_.size());
+    parallel_for(static_cast<int>(faces_.size()), threads_, [&](int i) {
       if (!faces_[i].is_patch) {
-        faces.push_back(std::move(faces_[i]));
+        finished[i] = std::move(faces_[i]);
       } else if (grouped[i]) {
-        if (auto face = finished_face(faces_[i], sight_)) faces.push_back(std::move(*face));
+        finished[i] = finished_face(faces_[i], sight_);
       }
+    });
+    faces_.clear();
+    for (std::optional<Face>& face : finished) {
+      if (face) faces_.push_back(std::move(*face));
     }
-    faces_ = std::move(faces);
   }
 
   /// True if a face that was found before already covers the middle of the patch.
@@ -103,10 +165,17 @@ class BoxMaker {
     });
   }
 
-  /// Adds the box of some faces, if they make one.
-  /// @param draft  of these faces; null if it is not known yet
-  void add(const std::vector<const Face*>& faces, const BoxDraft* draft = nullptr) {
-    if (!std::all_of(faces.begin(), faces.end(), [&](const Face* f) { return is_free(f); })) return;
+  bool are_free(const std::vector<const Face*>& faces) const {
+    return std::all_of(faces.begin(), faces.end(), [&](const Face* f) { return is_free(f); });
+  }
+
+  /// The box of some faces, if they make one.
+  std::optional<Box> box_of(const std::vector<const Face*>& faces) const {
+    std::optional<BoxDraft> draft;
+    if (faces.size() == 1) {
+      draft = draft_of(faces, sight_);
+      if (!is_rectangular(*draft)) return std::nullopt;
+    }
     std::vector<const Detection*> others;
     for (const Detection* plane : planes_) {
       const auto same = [&](const Face* face) { return face->id == plane->id; };
@@ -114,10 +183,7 @@ class BoxMaker {
     }
     std::optional<Box> box = completed_box(faces, draft ? draft->R_CA : box_axes(faces), others);
     if (!box) box = measure_box(draft ? *draft : draft_of(faces, sight_), others);
-    if (!box) return;
-    if (last_id_ == std::numeric_limits<int>::max()) return;
-    box->id = ++last_id_;
-    boxes_.push_back(std::move(*box));
+    return box;
   }
 
   /// A box completed with faces that are not among the given ones; nullopt if there are none or
@@ -138,8 +204,14 @@ class BoxMaker {
   }
 
   const DirectionIndex& sight_;
+  int threads_;
   std::vector<const Detection*> planes_;
   std::vector<Face> faces_;
+  /// Faces that may make a box, in the order in which they are tried; the first of them that may be
+  /// left; and those whose try has begun.
+  std::vector<std::vector<const Face*>> groups_;
+  std::size_t first_ = 0;
+  Mask begun_;
   std::vector<Box> boxes_;
   int last_id_ = 0;
 };
@@ -148,13 +220,13 @@ class BoxMaker {
 
 std::vector<Box> find_boxes(DirectionsOnDemand& directions,
                             const std::vector<Detection>& detections,
-                            const std::vector<FlatPatch>& patches) {
+                            const std::vector<FlatPatch>& patches, int threads) {
   const bool has_plane = std::any_of(detections.begin(), detections.end(), [](const Detection& d) {
     return d.type == QuadricType::kPlane;
   });
   // Without a face there is no box, and the maker indexes the whole cloud before it looks for one.
   if (!has_plane && patches.empty()) return {};
-  return BoxMaker(directions.index(), detections, patches).make();
+  return BoxMaker(directions.index(), detections, patches, threads).make();
 }
 
 std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>& detections) {

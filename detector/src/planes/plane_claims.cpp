@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/buckets.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 
 namespace quadrille {
 namespace {
@@ -50,31 +51,39 @@ class PlanesNear {
 }  // namespace
 
 std::vector<int> planes_of_cells(const CellPyramid& pyramid, const SurfaceSamples& coarse,
-                                 const std::vector<PlaneRegion>& planes, double sigmas) {
+                                 const std::vector<PlaneRegion>& planes, double sigmas,
+                                 int threads) {
   const PlanesNear near(pyramid, coarse, planes);
   const int size = pyramid.size(0);
   static_assert(kLevels == 3);
   const int *const parent = pyramid.parents(0).data(), *const above = pyramid.parents(1).data();
   std::vector<int> plane_of_cell(static_cast<std::size_t>(size), -1);
-  for (int c = 0; c < size; ++c) {
-    const int coarsest = above[parent[c]];
-    if (!near.any(coarsest) || pyramid.count(c) == 0) continue;
-    const Eigen::Vector4d x = pyramid.mean(c).cast<double>().homogeneous();
-    const auto [least, most] = pyramid.sigma_bounds(c);
-    double nearest = sigmas * most;
-    int found = -1;
-    near.visit(coarsest, [&](int k) {
-      const double distance = std::abs(planes.data()[k].plane.dot(x));
-      if (!(distance < nearest)) return;
-      nearest = distance;
-      found = k;
-    });
-    // Only what lies between the bounds needs the noise itself.
-    if (found < 0 || (!(nearest < sigmas * least) && !(nearest < sigmas * pyramid.sigma(c)))) {
-      continue;
+  const auto find = [&](int begin, int end) {
+    for (int c = begin; c < end; ++c) {
+      const int coarsest = above[parent[c]];
+      if (!near.any(coarsest) || pyramid.count(c) == 0) continue;
+      const Eigen::Vector4d x = pyramid.mean(c).cast<double>().homogeneous();
+      const auto [least, most] = pyramid.sigma_bounds(c);
+      double nearest = sigmas * most;
+      int found = -1;
+      near.visit(coarsest, [&](int k) {
+        const double distance = std::abs(planes.data()[k].plane.dot(x));
+        if (!(distance < nearest)) return;
+        nearest = distance;
+        found = k;
+      });
+      // Only what lies between the bounds needs the noise itself.
+      if (found < 0 || (!(nearest < sigmas * least) && !(nearest < sigmas * pyramid.sigma(c)))) {
+        continue;
+      }
+      plane_of_cell.data()[c] = found;
     }
-    plane_of_cell.data()[c] = found;
-  }
+  };
+  // Planes are seldom spread evenly over the image, so each thread has several parts of it.
+  constexpr int kPartsPerThread = 4;
+  const int parts = threads > 1 ? kPartsPerThread * threads : 1, step = size / parts + 1;
+  parallel_for(parts, threads,
+               [&](int k) { find(std::min(size, k * step), std::min(size, (k + 1) * step)); });
   return plane_of_cell;
 }
 

@@ -12,8 +12,10 @@ namespace quadrille {
 /// cell can lie on a plane only where, or next to where, that plane was found.
 /// @param coarse  samples on which the planes were found
 /// @param sigmas  largest distance in multiples of the cell's noise
+/// @param threads  number of threads, each for some of the cells; it never changes the result
 std::vector<int> planes_of_cells(const CellPyramid& pyramid, const SurfaceSamples& coarse,
-                                 const std::vector<PlaneRegion>& planes, double sigmas);
+                                 const std::vector<PlaneRegion>& planes, double sigmas,
+                                 int threads = 1);
 
 /// Returns the finest cells that lie on no plane; other surfaces are sought only there.
 /// @param plane_of_cell  result of planes_of_cells()

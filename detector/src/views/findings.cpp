@@ -13,6 +13,7 @@
 #include "boxes/flat_patches.hpp"
 #include "boxes/join_boxes.hpp"
 #include "boxes/numbered_boxes.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "samples/cell_scatter.hpp"
 #include "surfaces/last_fit.hpp"
 #include "surfaces/measure.hpp"
@@ -84,53 +85,85 @@ std::vector<Eigen::Matrix3f> scatter_of(const Scene& scene, const std::vector<in
   return scatter;
 }
 
-/// @param only  the types that are asked for
-void measure_surfaces(const Scene& scene, const std::vector<QuadricType>& only,
-                      std::span<DirectionsOnDemand> directions, Measured* measured) {
-  const bool seeks_cylinders =
-      lets_pass(only, QuadricType::kCylinder) || lets_pass(only, QuadricType::kEllipticCylinder);
+/// The planes of a scene as detections; nullopt for those that are doubtful.
+std::vector<std::optional<Detection>> measured_planes(const Scene& scene, double min_confidence) {
+  const std::vector<Surface> weighed = weighed_planes(scene.coarse, scene.planes, scene.context);
+  std::vector<std::optional<Detection>> planes(weighed.size());
+  for (std::size_t k = 0; k < weighed.size(); ++k) {
+    const bool doubtful = weighed[k].confidence < min_confidence;
+    if (doubtful && has_larger_parallel(scene.planes, k)) continue;
+    planes[k] = measure(weighed[k], scene.coarse, scene.viewpoint());
+  }
+  return planes;
+}
+
+/// Returns the surfaces that are no part of a plane, and gives them their cells.
+/// @param sample_of  receives for each finest cell of all views its sample on a surface
+std::vector<Surface> surfaces_off_planes(const Scene& scene, Measured* measured,
+                                         std::vector<int>* sample_of) {
   std::vector<Surface> surfaces;
-  // For each finest cell of all views, its sample on a surface.
-  std::vector<int> sample_of(measured->owner.size(), -1);
   for (const Surface& surface : scene.surfaces) {
     if (is_flat(surface) && is_part_of(surface, scene.finest, scene.planes, scene.coarse)) continue;
     for (const int i : surface.region) {
       const int cell = scene.finest.source[i];
       measured->owner[cell] = static_cast<int>(surfaces.size());
-      sample_of[cell] = i;
+      (*sample_of)[cell] = i;
     }
     surfaces.push_back(surface);
   }
-  const std::vector<Eigen::Matrix3f> scatter = scatter_of(scene, sample_of);
-  const std::vector<Sight>& sights = scene.context.sights;
-  for (Surface& surface : surfaces) {
-    std::vector<OutlinePoint> outline;
-    if (seeks_cylinders) outline = outline_of_lids(surface, scene, directions);
-    surface = last_fit(std::move(surface), scene.finest, scatter, sights, outline);
-    measured->detections.push_back(measure(surface, scene.finest, scene.viewpoint(), sights));
-  }
+  return surfaces;
 }
 
-/// Measures the planes, and gives them those of their cells that no surface has.
-void measure_planes(const Scene& scene, double min_confidence, Measured* measured) {
-  const std::vector<Surface> weighed = weighed_planes(scene.coarse, scene.planes, scene.context);
+/// Adds the planes, and gives them those of their cells that no surface has.
+void add_planes(const Scene& scene, std::vector<std::optional<Detection>> planes,
+                Measured* measured) {
   std::vector<int>& of_plane = measured->of_plane;
-  of_plane.assign(scene.planes.size(), -1);
-  for (std::size_t k = 0; k < scene.planes.size(); ++k) {
-    const bool doubtful = weighed[k].confidence < min_confidence;
-    if (doubtful && has_larger_parallel(scene.planes, k)) continue;
+  of_plane.assign(planes.size(), -1);
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    if (!planes[k]) continue;
     of_plane[k] = static_cast<int>(measured->detections.size());
     std::vector<std::vector<Eigen::Vector3d>>& places = measured->places[of_plane[k]];
     places.resize(scene.views.size());
     for (const int i : scene.planes[k].samples) {
       places[scene.coarse.view_of(i)].push_back(scene.coarse.raw[i].cast<double>());
     }
-    measured->detections.push_back(measure(weighed[k], scene.coarse, scene.viewpoint()));
+    measured->detections.push_back(std::move(*planes[k]));
   }
   for (std::size_t c = 0; c < measured->owner.size(); ++c) {
     const int plane = scene.plane_of_cell[c];
     if (measured->owner[c] < 0 && plane >= 0) measured->owner[c] = of_plane[plane];
   }
+}
+
+/// Measures the surfaces and planes of a scene.
+Measured measure_all(const Scene& scene, const DetectorOptions& options) {
+  Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}};
+  std::vector<int> sample_of(measured.owner.size(), -1);
+  const std::vector<Surface> surfaces = surfaces_off_planes(scene, &measured, &sample_of);
+
+  const bool seeks_planes = lets_pass(options.only, QuadricType::kPlane);
+  std::vector<std::optional<Detection>> planes;
+  std::vector<Eigen::Matrix3f> scatter;
+  parallel_for(2, options.threads, [&](int task) {
+    if (task == 1) {
+      scatter = scatter_of(scene, sample_of);
+    } else if (seeks_planes) {
+      planes = measured_planes(scene, options.aggregate.min_plane_confidence);
+    }
+  });
+
+  const bool seeks_cylinders = lets_pass(options.only, QuadricType::kCylinder) ||
+                               lets_pass(options.only, QuadricType::kEllipticCylinder);
+  const std::vector<Sight>& sights = scene.context.sights;
+  measured.detections.resize(surfaces.size());
+  parallel_for(static_cast<int>(surfaces.size()), options.threads, [&](int k) {
+    std::vector<OutlinePoint> outline;
+    if (seeks_cylinders) outline = outline_of_lids(surfaces[k], scene);
+    const Surface surface = last_fit(surfaces[k], scene.finest, scatter, sights, outline);
+    measured.detections[k] = measure(surface, scene.finest, scene.viewpoint(), sights);
+  });
+  if (seeks_planes) add_planes(scene, std::move(planes), &measured);
+  return measured;
 }
 
 /// Replaces the rms of the samples by the rms of the points, where there are enough.
@@ -184,8 +217,7 @@ std::size_t count_points(const Scene& scene) {
 /// Finds boxes in each view, in which all detections are known, and joins them.
 /// @param unexplained  nonzero for samples that lie on no detection
 std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& detections,
-                          const Mask& unexplained, const DetectorOptions& options,
-                          std::span<DirectionsOnDemand> directions) {
+                          const Mask& unexplained, const DetectorOptions& options) {
   const bool seeks_faces = lets_pass(options.only, QuadricType::kPlane) &&
                            lets_pass(options.report, QuadricType::kPlane);
   std::vector<std::vector<Box>> of_views;
@@ -201,7 +233,7 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
     }
     std::vector<FlatPatch> patches;
     if (seeks_faces) patches = find_flat_patches(scene.finest, options.planes, free);
-    of_views.push_back(find_boxes(directions[v], detections, patches));
+    of_views.push_back(find_boxes(*view.directions, detections, patches, options.threads));
   }
   return join_boxes(std::move(of_views));
 }
@@ -209,12 +241,7 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
 }  // namespace
 
 Findings measure_scene(const Scene& scene, const DetectorOptions& options, StageClock& clock) {
-  Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}};
-  std::vector<DirectionsOnDemand> directions = directions_of(scene);
-  measure_surfaces(scene, options.only, directions, &measured);
-  if (lets_pass(options.only, QuadricType::kPlane)) {
-    measure_planes(scene, options.aggregate.min_plane_confidence, &measured);
-  }
+  Measured measured = measure_all(scene, options);
   set_rms_of_points(scene, &measured);
   for (std::size_t k = 0; k < measured.detections.size(); ++k) {
     measured.detections[k].id = static_cast<int>(k);
@@ -243,7 +270,7 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
     owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);
     unexplained.push_back(k < 0);
   }
-  findings.boxes = boxes_of(scene, findings.detections, unexplained, options, directions);
+  findings.boxes = boxes_of(scene, findings.detections, unexplained, options);
   clock.end("boxes");
   const bool all_types = options.only.empty() && options.report.empty();
   PlacesOnPlanes places;

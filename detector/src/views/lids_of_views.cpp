@@ -12,16 +12,7 @@ constexpr double kMarginCells = 3.0;
 
 }  // namespace
 
-std::vector<DirectionsOnDemand> directions_of(const Scene& scene) {
-  std::vector<DirectionsOnDemand> directions;
-  for (const ViewCells& view : scene.views) {
-    directions.emplace_back(view.cloud, view.has_points() ? view.pyramid->view() : nullptr);
-  }
-  return directions;
-}
-
-std::vector<OutlinePoint> outline_of_lids(const Surface& surface, const Scene& scene,
-                                          std::span<DirectionsOnDemand> directions) {
+std::vector<OutlinePoint> outline_of_lids(const Surface& surface, const Scene& scene) {
   std::vector<OutlinePoint> outline;
   const Family family = surface.fit.family;
   if (family != Family::kCylinder && family != Family::kEllipticCylinder) return outline;
@@ -29,7 +20,7 @@ std::vector<OutlinePoint> outline_of_lids(const Surface& surface, const Scene& s
     const ViewCells& view = scene.views[v];
     if (!view.has_points()) continue;
     for (const Lid& lid : find_lids(surface, scene.finest, scene.context.sights[v])) {
-      const DirectionIndex& index = directions[v].index();
+      const DirectionIndex& index = view.directions->index();
       const std::vector<OutlinePoint> own =
           outline_of(lid, index.points_towards(lid.places_C, kMarginCells * lid.cell), index.eye());
       outline.insert(outline.end(), own.begin(), own.end());

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "boxes/directions_on_demand.hpp"
 #include "planes/planes.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
@@ -21,6 +22,8 @@ struct ViewCells {
   /// the first view's viewpoint counts.
   CloudView cloud;
   std::shared_ptr<const CellPyramid> pyramid;
+  /// The points by their directions; null for a kept view.
+  std::shared_ptr<DirectionsOnDemand> directions;
   /// The scatter in each cell of a kept view [m²]; see scatter_in_cells().
   std::vector<Eigen::Matrix3f> scatter;
   /// The boxes that a kept view showed, in frame C.
