@@ -71,38 +71,6 @@ TEST_CASE("a request on the same cloud knows what another camera has shown since
   CHECK(2 * ask() < before);
 }
 
-TEST_CASE("the status counts what came of the clouds of further cameras",
-          "[process][memory][cameras]") {
-  Chain chain("--pose-channel POSE", kTwo);
-  chain.take("SIDE", {std::byte{1}, std::byte{2}});
-  take_from(chain, "SIDE", "NOBODY", 1 * kUsPerSecond, kBack);
-  chain.wait();
-  take_from(chain, "SIDE", "SIDE_POSE", 2 * kUsPerSecond, kBack);
-  show_from(chain, 2 * kUsPerSecond, kFront);
-  const planner_status_t status = chain.planner_status();
-  CHECK(status.decoded_views == 2);
-  REQUIRE(status.num_rejected_views == 1);
-  CHECK(status.rejected_views[0].name == "cut_short");
-  REQUIRE(status.num_unplaced_views == 1);
-  CHECK(status.unplaced_views[0].name == "no_pose");
-  CHECK(status.remembered_views == 2);
-  CHECK(status.pose_correction >= 0.0);
-  CHECK(status.failed == 0);
-}
-
-TEST_CASE("further cameras know the robot in the fixed frame alone", "[process][memory][cameras]") {
-  Chain chain("--pose-channel POSE", kTwo);
-  const std::string frame = GENERATE("world", "camera");
-  chain.take("ROBOT", test::robot_bytes(0, frame, {test::ball_message({0.0, 0.0, 1.0}, 0.05)}));
-  take_from(chain, "SIDE", "NOBODY", 1 * kUsPerSecond, kBack);
-  chain.wait();
-  take_from(chain, "SIDE", "SIDE_POSE", 2 * kUsPerSecond, kBack);
-  const planner_status_t status = chain.planner_status();
-  CHECK(status.failed == 0);
-  CHECK(status.remembered_views == (frame == "world" ? 1 : 0));
-  CHECK(status.num_rejected_knowledge == (frame == "world" ? 0 : 1));
-}
-
 TEST_CASE("a region of another camera's frame that cannot be placed yet makes all be forgotten",
           "[process][memory][cameras]") {
   Chain chain("--pose-channel POSE", kTwo);

@@ -115,18 +115,12 @@ std::optional<Job> DetectorNode::receive_forget(const std::string& channel,
   const std::lock_guard lock(mutex_);
   const auto message = refusals_.accept(channel, std::move(decoded));
   if (!message || !settings_.remembers()) return std::nullopt;
-  // A job that can be refused is not replaced by a newer one.
-  const auto tell = [channel](const std::string& why) { log_warning(channel + ": " + why); };
-  return Job{message->utime,
-             [this, channel, message] {
-               try {
-                 forget(*message);
-               } catch (const std::invalid_argument& error) {
-                 const std::lock_guard lock(mutex_);
-                 refusals_.add(channel, {bus::RejectReason::kBadValue, error.what()});
-               }
-             },
-             tell};
+  return forgetting_job(
+      channel, *message, [this](const forget_t& what) { forget(what); },
+      [this, channel](const bus::Rejection& rejection) {
+        const std::lock_guard lock(mutex_);
+        refusals_.add(channel, rejection);
+      });
 }
 
 void DetectorNode::forget(const forget_t& message) {
@@ -150,8 +144,7 @@ std::vector<Job> DetectorNode::find_due_jobs(Time now) {
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
                                                std::span<const std::byte> bytes) {
   const TimePoint now = std::chrono::steady_clock::now();
-  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
-                                   settings_.frames.unit);
+  auto decoded = decode_cloud(bytes, settings_.frames);
   const std::lock_guard lock(mutex_);
   ++counts_.received;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
@@ -177,8 +170,7 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
 }
 
 std::optional<Job> DetectorNode::receive_view(int camera, std::span<const std::byte> bytes) {
-  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
-                                   settings_.frames.unit);
+  auto decoded = decode_cloud(bytes, settings_.frames);
   const std::lock_guard lock(mutex_);
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   return posed_views_.add(camera, std::move(decoded));

@@ -44,8 +44,7 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
 std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
                                               std::span<const std::byte> bytes) {
   const auto start = std::chrono::steady_clock::now();
-  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
-                                   settings_.frames.unit);
+  auto decoded = decode_cloud(bytes, settings_.frames);
   const double decode_ms = bus::ms_since(start);
   const std::lock_guard lock(mutex_);
   ++counts_.received_clouds;
@@ -64,8 +63,7 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
 }
 
 std::optional<Job> PlannerNode::receive_view(int camera, std::span<const std::byte> bytes) {
-  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
-                                   settings_.frames.unit);
+  auto decoded = decode_cloud(bytes, settings_.frames);
   const std::lock_guard lock(mutex_);
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   return posed_views_.add(camera, std::move(decoded));
@@ -137,18 +135,12 @@ std::optional<Job> PlannerNode::receive_forget(const std::string& channel,
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   const auto message = refused_knowledge_.accept(channel, std::move(decoded));
   if (!message) return std::nullopt;
-  // A job that can be refused is not replaced by a newer one.
-  const auto tell = [channel](const std::string& why) { log_warning(channel + ": " + why); };
-  return Job{message->utime,
-             [this, channel, message] {
-               try {
-                 forget(*message);
-               } catch (const std::invalid_argument& error) {
-                 const std::lock_guard lock(mutex_);
-                 refused_knowledge_.add(channel, {bus::RejectReason::kBadValue, error.what()});
-               }
-             },
-             tell};
+  return forgetting_job(
+      channel, *message, [this](const forget_t& what) { forget(what); },
+      [this, channel](const bus::Rejection& rejection) {
+        const std::lock_guard lock(mutex_);
+        refused_knowledge_.add(channel, rejection);
+      });
 }
 
 }  // namespace quadrille

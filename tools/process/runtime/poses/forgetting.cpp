@@ -1,6 +1,10 @@
 #include "process/runtime/poses/forgetting.hpp"
 
+#include <stdexcept>
+#include <utility>
+
 #include "poses/pose_history.hpp"
+#include "process/runtime/logging.hpp"
 #include "process/runtime/poses/cloud_frame.hpp"
 #include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -25,6 +29,21 @@ std::optional<ForgottenRegion> region_of(const forget_t& message, const Placemen
   }
   const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(message.region_size);
   return ForgottenRegion{X_WF * bus::from_message(message.region), {-half, half}};
+}
+
+Job forgetting_job(const std::string& channel, const forget_t& message,
+                   std::function<void(const forget_t&)> forget,
+                   std::function<void(const bus::Rejection&)> reject) {
+  const auto run = [message, forget = std::move(forget), reject = std::move(reject)] {
+    try {
+      forget(message);
+    } catch (const std::invalid_argument& error) {
+      reject({bus::RejectReason::kBadValue, error.what()});
+    }
+  };
+  // A job that can be refused is not replaced by a newer one.
+  const auto refuse = [channel](const std::string& why) { log_warning(channel + ": " + why); };
+  return {message.utime, run, refuse};
 }
 
 bool ForgottenTime::is_after(std::int64_t cloud_utime) const {

@@ -2,11 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <lcmtypes/quadrille/forget_t.hpp>
 #include <optional>
 #include <string>
 
+#include "process/runtime/node.hpp"
 #include "process/runtime/poses/placement.hpp"
+#include "quadrille/bus/rejection.hpp"
 
 namespace quadrille {
 
@@ -24,6 +27,13 @@ struct ForgottenRegion {
 /// @throws std::invalid_argument if the region's frame is not known
 std::optional<ForgottenRegion> region_of(const forget_t& message, const Placement* placement,
                                          const std::string& cloud_frame);
+
+/// Returns the job of a message. No newer job replaces it.
+/// @param forget  forgets what a message names; throws std::invalid_argument if that cannot be told
+/// @param reject  called with the reason if it was thrown
+Job forgetting_job(const std::string& channel, const forget_t& message,
+                   std::function<void(const forget_t&)> forget,
+                   std::function<void(const bus::Rejection&)> reject);
 
 /// Remembers when something was last forgotten.
 class ForgottenTime {

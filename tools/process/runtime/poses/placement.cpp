@@ -4,6 +4,11 @@
 
 namespace quadrille {
 
+bus::Decoded<bus::CloudMessage> decode_cloud(std::span<const std::byte> bytes,
+                                             const CloudFrames& frames) {
+  return bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop, frames.unit);
+}
+
 Placement place(const CloudFrames& frames, const CameraPose& pose) {
   Placement placement;
   placement.X_WK = pose.X_WK;

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "poses/camera_poses.hpp"
 #include "process/runtime/poses/cloud_frame.hpp"
+#include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
@@ -27,6 +30,10 @@ struct Placement {
     return frame.empty() ? cloud_frame : frame;
   }
 };
+
+/// Decodes a cloud in the unit of its frames, without colours, which no process needs.
+bus::Decoded<bus::CloudMessage> decode_cloud(std::span<const std::byte> bytes,
+                                             const CloudFrames& frames);
 
 /// Returns the placement of a cloud whose camera had this pose.
 Placement place(const CloudFrames& frames, const CameraPose& pose);
