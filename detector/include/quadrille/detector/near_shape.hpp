@@ -20,6 +20,8 @@ class NearShape {
   QUADRILLE_EXPORT NearShape(const SolidShape& shape, double distance);
   NearShape(SolidShape&&, double) = delete;
 
+  /// True if a finite point, in the frame of the shape's pose, lies in it or within the distance
+  /// [m].
   QUADRILLE_EXPORT bool contains(const Eigen::Vector3d& p_C) const;
   /// Bounds of the shape and the space about it [m].
   const Eigen::AlignedBox3d& bounds_C() const { return bounds_C_; }

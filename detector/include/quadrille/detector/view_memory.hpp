@@ -56,6 +56,7 @@ class ViewMemory {
   /// @param X_WR  pose of the box's frame R in W
   QUADRILLE_EXPORT void forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
 
+  /// Number of views that are kept.
   QUADRILLE_EXPORT std::size_t size() const;
 
  private:

@@ -32,7 +32,8 @@ class SampleTable {
 };
 
 /// Sorts the samples into blocks that are near each other, with their values one after another,
-/// to find those in a box with few steps.
+/// to find those in a box with few steps. SampleBuckets has only their numbers, for those in a
+/// ball.
 class SampleBlocks {
  public:
   explicit SampleBlocks(const SurfaceSamples& samples);
