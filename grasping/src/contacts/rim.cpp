@@ -20,7 +20,8 @@ constexpr double kReachToPadWidth = 18.0 / 35.0;
 constexpr std::array<double, 3> kBites = {0.013, 0.008, 0.0045};
 constexpr std::array<double, 3> kMaxBitesToReach = {13.0 / 9.0, 8.0 / 9.0, 1.0 / 2.0};
 constexpr int kAround = 36;
-// Least number of points at a contact; fewer could be noise.
+// Least number of points at a contact that lie above it; fewer could be noise. If all points lie
+// below, the wall ends there, lower than the shell elsewhere, and the pads would close on nothing.
 constexpr int kMinNear = 8;
 // Least deviation of the wall from these points [m].
 constexpr double kMinStd = 0.0005;
@@ -71,9 +72,14 @@ ContactLine rim_line(const Shell& shell, double angle, double bite, const Grippe
   return line;
 }
 
-/// A point that may belong to the wall, and its distance from the range where the wall may be [m];
-/// 0 within.
-using WallPoint = std::pair<Eigen::Vector3d, double>;
+/// A point that may belong to the wall.
+struct WallPoint {
+  Eigen::Vector3d p_C;
+  /// Distance from the range where the wall may be [m]; 0 within.
+  double beside = 0.0;
+  /// Height along the axis of the shell [m].
+  double height = 0.0;
+};
 
 /// Returns the points of the wall that count for any of the lines.
 std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double reach,
@@ -88,10 +94,11 @@ std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double
   std::vector<WallPoint> points;
   cloud.each_in(with_rounding(near), [&](std::size_t n) {
     const Eigen::Vector3d p_C = cloud.points_C()[n].cast<double>();
-    if (!near.contains(p_C) || !((X_QC * p_C).z() >= lowest)) return;
+    const double height = (X_QC * p_C).z();
+    if (!near.contains(p_C) || !(height >= lowest)) return;
     if (!shell.in_wall(p_C, kWallNoise)) return;
     const double off = shell.offset(p_C);
-    points.emplace_back(p_C, off - std::clamp(off, shell.inner(), shell.outer()));
+    points.push_back({p_C, off - std::clamp(off, shell.inner(), shell.outer()), height});
   });
   return points;
 }
@@ -116,16 +123,19 @@ std::vector<ContactLine> measured_lines(const Shell& shell, const Gripper& gripp
                                         const CloudRuns& cloud) {
   const double reach = rim_reach(gripper);
   const std::vector<WallPoint> wall = points_near(lines, reach, shell, cloud);
+  const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   std::vector<ContactLine> measured;
   for (ContactLine line : lines) {
-    int count = 0;
+    const double middle_height = (X_QC * middle(line)).z();
+    int count = 0, above = 0;
     double sum = 0.0;
-    for (const auto& [p_C, beside] : wall) {
-      if ((p_C - middle(line)).squaredNorm() > reach * reach) continue;
+    for (const WallPoint& point : wall) {
+      if ((point.p_C - middle(line)).squaredNorm() > reach * reach) continue;
       ++count;
-      sum += beside * beside;
+      above += point.height > middle_height;
+      sum += point.beside * point.beside;
     }
-    if (count < kMinNear) continue;
+    if (above < kMinNear) continue;
     line.std = std::max(kMinStd, std::sqrt(sum / count));
     measured.push_back(line);
   }

@@ -80,6 +80,24 @@ TEST_CASE("only where points were measured does a rim line remain", "[rim]") {
   CHECK(measured_lines(shell, franka_hand(), lines, off).empty());
 }
 
+TEST_CASE("a wall that ends below the middle of the pads is not held there", "[rim]") {
+  const Cup cup;
+  const Shell shell = shell_of(cup, false).value();
+  const auto lines = rim_lines(shell, franka_hand());
+  const PointCloud cloud = render(cup);
+  const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
+  const auto cut_at = [&](double below) {
+    PointCloud cut = cloud;
+    std::erase_if(cut.points, [&](const Eigen::Vector3f& p_C) {
+      return (X_QC * p_C.cast<double>()).z() > shell.body.z_max - below;
+    });
+    return measured_lines(shell, franka_hand(), lines, cut);
+  };
+  CHECK(cut_at(0.005).size() > 10);
+  // The deepest lines lie 13 mm below the rim, and points up to 9 mm below them are near them.
+  CHECK(cut_at(0.014).empty());
+}
+
 TEST_CASE("a cup wider than the hand is held by its rim and no hand touches the cup",
           "[rim][plan][collision]") {
   const Cup cup;
