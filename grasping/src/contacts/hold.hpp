@@ -16,6 +16,11 @@ struct ContactEvidence {
   double inner = 0.0;
   /// How far the points next to each contact reach along the approach, the lesser of the two [m].
   double height = 0.0;
+  /// Share of the pads' area between which there are points.
+  double filled = 0.0;
+  /// Share of the pads' area at which these reach out nearly as far as the outermost one there, the
+  /// lesser of the two pads.
+  double flat = 0.0;
 };
 
 /// Contacts that a hand finds from one place, and its approach.

@@ -10,6 +10,7 @@
 #include "contacts/finger_runs.hpp"
 #include "contacts/finger_slices.hpp"
 #include "contacts/hand_directions.hpp"
+#include "contacts/pad_cover.hpp"
 #include "contacts/pad_side.hpp"
 #include "contacts/quality.hpp"
 
@@ -23,8 +24,9 @@ constexpr std::size_t kDepths = kDepthsToFinger.size();
 static_assert(kDepths <= FingerRuns::kMaxDepths);
 // Fewer points between the fingers may be noise.
 constexpr std::size_t kMinBetween = 8;
-// Weights of what makes a hold promising beside contacts that face the pads: from above, deep,
-// near the middle; and against it: wide.
+// Weights of what makes a hold promising beside contacts that face the pads: much between the
+// pads, flat, from above, deep, near the middle; and against it: wide.
+constexpr double kFilled = 1.0, kFlat = 0.5;
 constexpr double kAbove = 0.5, kDeep = 0.5, kAside = 0.5, kWide = 0.3;
 // More depth, or more distance from the middle, than this makes no difference [m]. A hold is wide
 // above this share of the opening.
@@ -237,21 +239,23 @@ class PointHoldFinder {
     found.friction = friction_needed(line);
     if (found.friction > max_friction_) return;
     found.guessed = behind;
-    found.evidence = {0.5 * (left.seen + right.seen), 0.5 * (left.facing + right.facing),
-                      0.5 * (left.inner + right.inner), std::min(left.height, right.height)};
-    ranked_.push_back({found, rank(found, tip - top_of(run, tip))});
-  }
-
-  /// Returns how far the highest point of a run lies along the approach.
-  double top_of(const Run& run, double tip) const {
-    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    // The highest point of the run, along the approach.
     double top = tip;
+    PadCover cover(x, tip, gripper_);
+    const Eigen::Matrix3d R_GC = R_CG_.transpose();
     for (std::size_t k = run.first; k <= run.last; ++k) {
       if (!reached_by_fingers(k)) continue;
       const Eigen::Vector3d p_G = R_GC * offsets_C_[index(k)];
       top = std::min(top, p_G.z());
+      cover.add(p_G);
     }
-    return top;
+    found.evidence = {0.5 * (left.seen + right.seen),
+                      0.5 * (left.facing + right.facing),
+                      0.5 * (left.inner + right.inner),
+                      std::min(left.height, right.height),
+                      cover.filled(),
+                      cover.flat()};
+    ranked_.push_back({found, rank(found, tip - top)});
   }
 
   /// Returns true if the points between two sides, of which one is hidden behind the other, are the
@@ -285,7 +289,8 @@ class PointHoldFinder {
   double rank(const Hold& hold, double depth) const {
     const double aside = std::abs(R_CG_.col(0).dot(hold.line.centre_C - space_.centre_C));
     const bool wide = hold.line.width > kWideShare * gripper_.max_opening;
-    return 2.0 * hold.evidence.facing - kAbove * hold.approach_C.dot(space_.up_C) +
+    return 2.0 * hold.evidence.facing + kFilled * hold.evidence.filled +
+           kFlat * hold.evidence.flat - kAbove * hold.approach_C.dot(space_.up_C) +
            kDeep * std::min(1.0, depth / kFullDepth) - kAside * std::min(1.0, aside / kFullDepth) -
            (wide ? kWide : 0.0);
   }

@@ -129,7 +129,7 @@ TEST_CASE("no hold lies far below the plane that the body stands on", "[tips]") 
 
 TEST_CASE("what is wider than the hand opens is planned to be held by the tips, clear of all else",
           "[tips][plan]") {
-  const Detection ellipsoid = flat_ellipsoid(0.041);
+  const Detection ellipsoid = flat_ellipsoid(0.04);
   const Body body = make_body(ellipsoid).value();
   const Gripper hand = franka_hand();
   PlanOptions options;

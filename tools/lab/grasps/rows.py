@@ -18,8 +18,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 
 
-def row(scene, kind, grasp, good):
-    return {'scene': scene, 'kind': kind, 'terms': grasp['terms'], 'good': good}
+def row(scene, kind, grasp, good, tried):
+    return {'scene': scene, 'kind': kind, 'target': grasp['target'], 'terms': grasp['terms'], 'good': good, 'tried': tried}
 
 
 def tried(kind, result, dump):
@@ -33,7 +33,8 @@ def tried(kind, result, dump):
             name = '%s_%d' % (result['kind'], one['seed'])
             plan = json.loads((Path(dump) / ('%s_%d_plan.json' % (name, step['attempt']))).read_text())
             if plan['grasps']:
-                yield row(name, kind, plan['grasps'][0], step['success'])
+                # Numbers of targets begin anew with each attempt.
+                yield row('%s_%d' % (name, step['attempt']), kind, plan['grasps'][0], step['success'], True)
 
 
 def judged(kind, scenes, plans):
@@ -45,7 +46,7 @@ def judged(kind, scenes, plans):
     for path in sorted(Path(plans).glob('*.json')):
         truth = Truth(str(Path(scenes) / path.stem))
         for grasp in json.loads(path.read_text())['grasps']:
-            yield row(path.stem, kind, grasp, truth.judge(grasp)[0] == 'good')
+            yield row(path.stem, kind, grasp, truth.judge(grasp)[0] == 'good', False)
 
 
 def main():

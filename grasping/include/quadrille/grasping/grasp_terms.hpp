@@ -7,6 +7,9 @@ namespace quadrille {
 struct GraspTerms {
   /// Friction to spare: 1 − μ*/μ, less for pads that lie askew on a curved wall.
   double friction = 0.0;
+  /// Friction to spare divided by 0.3, at most 1: contacts are known to some degrees, which a small
+  /// reserve does not cover; more than that makes no difference.
+  double reserve = 0.0;
   /// Clearance divided by 10 mm, at most 1.
   double clearance = 0.0;
   /// Room between each pad and the target on the way in, divided by 5 mm, at most 1.
@@ -30,11 +33,20 @@ struct GraspTerms {
   /// within, and how far the points beside both contacts reach along the approach, divided by
   /// 20 mm. Both are 1 for a shape.
   double inner = 0.0, height = 0.0;
+  /// Mean cosine between the pads' directions and the normals of the points next to them; share of
+  /// the pads' area between which there are points; share of it at which these reach out nearly as
+  /// far as the outermost one, at the pad where it is less. All are 1 for a shape, but the last is
+  /// less where pads are to hold a wall across which it leans.
+  double facing = 0.0, filled = 0.0, flat = 0.0;
+  /// 1 for a shape whose width is known exactly, 0 where half of it is uncertain by 5 mm or more;
+  /// 1 for a target without a shape.
+  double sure = 0.0;
 
   /// Calls v(name, term) for each term.
   template <class Terms, class Visitor>
   static void visit(Terms& t, Visitor&& v) {
     v("friction", t.friction);
+    v("reserve", t.reserve);
     v("clearance", t.clearance);
     v("room", t.room);
     v("central", t.central);
@@ -45,6 +57,10 @@ struct GraspTerms {
     v("shape", t.shape);
     v("inner", t.inner);
     v("height", t.height);
+    v("facing", t.facing);
+    v("filled", t.filled);
+    v("flat", t.flat);
+    v("sure", t.sure);
   }
 };
 
