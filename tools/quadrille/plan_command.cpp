@@ -91,7 +91,7 @@ class MapFile {
     X_CK_ = X_CK;
   }
 
-  /// Writes nothing if the last plan has no map.
+  /// Writes nothing if the last plan has no map, even if an earlier one had.
   void finish() {
     if (!space_) return;
     const bool moves = !X_CK_.matrix().isIdentity(0.0);
@@ -151,9 +151,9 @@ struct PlanOutput {
   CommandReport report;
 
   void finish(bool failed = false) {
+    if (map) map->finish();
     json.finish();
     report.finish(failed);
-    if (map) map->finish();
   }
 };
 

@@ -11,7 +11,8 @@
 
 namespace quadrille {
 
-/// Is told the name of each stage when it ends; a stage that is run again ends again.
+/// Is told the name of each stage when it ends; a stage that is run again ends again. With several
+/// threads it may be called by any of them, by one at a time.
 using StageWatch = std::function<void(std::string_view stage)>;
 
 /// Measures the wall time of consecutive stages.

@@ -117,9 +117,8 @@ class AheadOfSteps {
 ///   state()               the present state
 ///   Scratch, scratch()    memory that a thread uses for its tries
 ///   Outcome               of a try
-///   kTriesPerThread       number of tries that may wait for earlier steps, so that no thread runs
-///   out
-///                         of work while another makes a long try; of more, many would be in vain
+///   kTriesPerThread       number of tries that may wait for earlier steps: enough that no thread
+///                         is idle during a long try, few enough that not many are in vain
 ///   first()               the step whose turn it is, nullopt if none is left
 ///   begin_next()          a step to try that this did not return before, nullopt if there is none
 ///                         at present; it is the first() one if that was not returned before

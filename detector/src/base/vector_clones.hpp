@@ -12,7 +12,7 @@
 
 namespace quadrille {
 
-/// Sums run in this many strands whatever the width of the vectors, so that results do not depend
+/// Sums run in this many lanes whatever the width of the vectors, so that results do not depend
 /// on it.
 inline constexpr int kLanes = 8;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/strands.hpp"
+#include "base/lanes.hpp"
 
 namespace quadrille {
 
@@ -26,14 +26,14 @@ struct alignas(kLanes * sizeof(Scalar)) ChunkColumns {
 /// at compile time, the sums stay in registers.
 template <int a, typename Scalar, int columns>
 QUADRILLE_INTO_CLONES void add_row(const ChunkColumns<Scalar, columns>& C, int size, double* N) {
-  using Strands = typename StrandsOf<Scalar>::Type;
-  Strands sum[columns - a] = {};
+  using Lanes = typename LanesOf<Scalar>::Type;
+  Lanes sum[columns - a] = {};
   for (int k = 0; k < size; k += kLanes) {
-    const Strands left = reinterpret_cast<const Strands&>(C.column[a][k]);
+    const Lanes left = reinterpret_cast<const Lanes&>(C.column[a][k]);
     for (int b = a; b < columns; ++b)
-      sum[b - a] += left * reinterpret_cast<const Strands&>(C.column[b][k]);
+      sum[b - a] += left * reinterpret_cast<const Lanes&>(C.column[b][k]);
   }
-  for (int b = a; b < columns; ++b) N[a * columns + b] += sum_of_strands(sum[b - a]);
+  for (int b = a; b < columns; ++b) N[a * columns + b] += sum_of_lanes(sum[b - a]);
 }
 
 /// Adds the upper triangle of CᵀC from row a on.

@@ -86,12 +86,12 @@ QUADRILLE_INTO_CLONES double square_of_points(const PointChunk<Scalar>& c, Scala
   for (int k = 0; k < kChunk; ++k) {
     r[k] = c.f[k] * (Scalar(0.5) / std::max(c.slope[k], min_slope));
   }
-  typename StrandsOf<Scalar>::Type sum = {};
+  typename LanesOf<Scalar>::Type sum = {};
   for (int k = 0; k < c.size; k += kLanes) {
-    const auto v = reinterpret_cast<const typename StrandsOf<Scalar>::Type&>(r[k]);
+    const auto v = reinterpret_cast<const typename LanesOf<Scalar>::Type&>(r[k]);
     sum += v * v;
   }
-  return sum_of_strands(sum);
+  return sum_of_lanes(sum);
 }
 
 QUADRILLE_VECTOR_CLONES

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "base/try_ahead.hpp"
 #include "fit/family_spec.hpp"

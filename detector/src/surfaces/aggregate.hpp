@@ -40,7 +40,7 @@ class Aggregation {
   /// surfaces of their own.
   void offer_planes(const std::vector<PlaneRegion>& planes);
 
-  /// Per sample, nonzero if it belongs to an accepted surface.
+  /// Per sample, nonzero if no accepted surface has claimed it.
   const Mask& free() const { return accepted_.claims.free(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 

@@ -39,7 +39,8 @@ std::optional<Scene> search_view(const CloudView& cloud, const DetectorOptions& 
   view.directions = std::make_shared<DirectionsOnDemand>(cloud, cells->view());
 
   // Boxes and lids nearly always need the directions, and with several threads they are found while
-  // one thread is searching for planes. Later two threads may ask for them at once.
+  // one thread is searching for planes, with one more at work for that moment than asked for. Later
+  // two threads may ask for them at once.
   std::optional<SampleTree> tree;
   parallel_for(options.threads > 1 ? 2 : 1, options.threads, [&](int task) {
     if (task == 0) tree = samples_off_planes(*cells, options, &scene, clock);

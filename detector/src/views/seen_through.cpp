@@ -49,10 +49,8 @@ struct RowGeometry {
 
 /// Projects the places of a row of cells into the other view.
 /// @param w        inverse depths of the row's cells [1/m]
-/// @param index    receives the cell of the other view for each cell; −1 if it is none, or nothing
-///   was seen
-/// @param moved_w  receives the inverse depth of each place in the other view, once it is moved
-/// away
+/// @param index    receives the other view's cell for each cell; −1 if there is none
+/// @param moved_w  receives the inverse depth of each moved place in the other view [1/m]
 QUADRILLE_VECTOR_CLONES
 void project_row(const RowGeometry& row, const float* w, int size, int* index, float* moved_w) {
   const float x0 = row.first[0], y0 = row.first[1], z0 = row.first[2];

@@ -21,13 +21,14 @@ constexpr double kTouch = 1e-6;
 constexpr std::array<Voxel, 4> kByCaution = {Voxel::kOccupied, Voxel::kUnknown, Voxel::kClear,
                                              Voxel::kFree};
 
-std::uint8_t caution(Voxel state) {
-  constexpr std::array<std::uint8_t, 4> kRank = {1, 2, 3, 0};  // unknown, clear, free, occupied
-  return kRank[static_cast<std::size_t>(state)];
+constexpr std::uint8_t caution(Voxel state) {
+  std::uint8_t rank = 0;
+  while (kByCaution[rank] != state) ++rank;
+  return rank;
 }
 
-/// Returns the greatest integer that is not above x; |x| must stay below 2^20, as places of voxels
-/// do.
+/// Returns the greatest integer that is not above x, up to rounding by 2^-33, far below kTouch; |x|
+/// must stay below 2^20, as places of voxels do.
 int floor_of(double x) {
   constexpr int kShift = 1 << 20;
   return static_cast<int>(x + kShift) - kShift;
@@ -127,7 +128,7 @@ class CautiousBoxes {
       from[axis] = std::clamp(low, -window_[axis], most_[axis]);
       last[axis] = std::clamp(high, -window_[axis], most_[axis]);
     }
-    std::uint8_t rank = 3;
+    std::uint8_t rank = caution(Voxel::kFree);
     for (const int k : {from[2], last[2]}) {
       for (const int j : {from[1], last[1]}) {
         for (const int i : {from[0], last[0]}) rank = std::min(rank, ranks_[index({i, j, k})]);

@@ -50,9 +50,9 @@ TEST_CASE("products of columns are added to the upper triangle, whatever lies be
   }
 }
 
-TEST_CASE("the sum of strands is that of all values", "[fit][products]") {
-  const StrandsOf<float>::Type floats = {1, 2, 4, 8, 16, 32, 64, 128};
-  CHECK(sum_of_strands(floats) == 255.0);
-  const StrandsOf<double>::Type doubles = {1, -2, 4, -8, 16, -32, 64, -128};
-  CHECK(sum_of_strands(doubles) == -85.0);
+TEST_CASE("the sum of lanes is that of all values", "[fit][products]") {
+  const LanesOf<float>::Type floats = {1, 2, 4, 8, 16, 32, 64, 128};
+  CHECK(sum_of_lanes(floats) == 255.0);
+  const LanesOf<double>::Type doubles = {1, -2, 4, -8, 16, -32, 64, -128};
+  CHECK(sum_of_lanes(doubles) == -85.0);
 }

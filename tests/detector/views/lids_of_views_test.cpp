@@ -1,7 +1,6 @@
 #include "views/lids_of_views.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -47,9 +46,8 @@ TEST_CASE("the outline of a can's lid is its upper edge", "[views][lid]") {
   const PointCloud cloud = can_on_table();
   const std::optional<Scene> scene = scene_of(cloud);
   REQUIRE(scene);
-  std::vector<DirectionsOnDemand> directions = directions_of(*scene);
-  REQUIRE(directions.size() == 1);
-  const std::vector<OutlinePoint> outline = outline_of_lids(can_wall(*scene), *scene, directions);
+  REQUIRE(scene->views.size() == 1);
+  const std::vector<OutlinePoint> outline = outline_of_lids(can_wall(*scene), *scene);
   CHECK(outline.size() > 10);
   for (const OutlinePoint& o : outline) {
     const Eigen::Vector3d p_W = kTablePose.inverse() * o.p_C;
@@ -64,13 +62,11 @@ TEST_CASE("neither other surfaces nor views without points have outlines of lids
   const PointCloud cloud = can_on_table();
   std::optional<Scene> scene = scene_of(cloud);
   REQUIRE(scene);
-  std::vector<DirectionsOnDemand> directions = directions_of(*scene);
   Surface wall = can_wall(*scene);
   wall.fit.family = Family::kGeneral;
-  CHECK(outline_of_lids(wall, *scene, directions).empty());
+  CHECK(outline_of_lids(wall, *scene).empty());
   wall.fit.family = Family::kCylinder;
   scene->views.front().pyramid.reset();
   scene->views.front().cloud = {};
-  directions = directions_of(*scene);
-  CHECK(outline_of_lids(wall, *scene, directions).empty());
+  CHECK(outline_of_lids(wall, *scene).empty());
 }

@@ -20,7 +20,7 @@
 #define QUADRILLE_VECTOR_CLONES
 #endif
 
-// Marks a function that such functions call in their loops. It is compiled into each of the
-// versions and becomes vector instructions there; a function of its own, and any template, gets one
-// version.
+// Marks a helper that a function with QUADRILLE_VECTOR_CLONES calls in its loop. It has to be
+// inlined there: compiled on its own it would not get AVX2 instructions, and neither would a
+// template, since compilers clone no templates.
 #define QUADRILLE_INTO_CLONES inline __attribute__((always_inline))

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "base/strands.hpp"
+#include "base/lanes.hpp"
 
 namespace quadrille {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-using Lanes = StrandsOf<float>::Type;
+using Lanes = LanesOf<float>::Type;
 using Masks __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = int;
 using Halves __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = long long;
 
@@ -60,7 +60,7 @@ int sum_ball(const float* x, const float* y, const float* z, int size, Ball* bal
     xy += dx * dy, yz += dy * dz, zx += dz * dx;
   }
   const Lanes sums[10] = {__builtin_convertvector(n, Lanes), sx, sy, sz, xx, yy, zz, xy, yz, zx};
-  for (int k = 0; k < 10; ++k) ball->sum[k] = static_cast<float>(sum_of_strands(sums[k]));
+  for (int k = 0; k < 10; ++k) ball->sum[k] = static_cast<float>(sum_of_lanes(sums[k]));
   return runs;
 }
 
