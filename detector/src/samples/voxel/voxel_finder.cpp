@@ -134,7 +134,7 @@ void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
   voxel_.resize(max_size);
   for (std::vector<float>* axis : {&x_, &y_, &z_}) axis->resize(max_size);
   const Eigen::AlignedBox3f box = grid_.box_of_brick(x, y, z, radius_);
-  const Eigen::Vector3f low = box.min(), high = box.max();
+  const Eigen::Vector3f &low = box.min(), &high = box.max();
   // Each voxel is written, and kept by advancing n only if it counts, without a branch.
   std::size_t n = 0;
   for (const VoxelGrid::Brick* brick : bricks_) {
