@@ -50,6 +50,7 @@ TEST_CASE("plan writes its map as OctoMap reads it, and fuses further views", "[
   check_failure(run_quadrille(plan + " --view " + scene), "given twice");
   check_failure(run_quadrille(plan + " --view " + copy + " --view " + copy), "given twice");
   check_failure(run_quadrille(plan + " --map " + folder.path("no/m.bt")), "m.bt");
+  CHECK(run_quadrille(plan + " --map -").code == 2);
 }
 
 TEST_CASE("if only planes are found, smaller cells are named, and tried if advice is asked for",

@@ -252,9 +252,9 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   output->report.add(input, std::move(scene));
 }
 
-/// Refuses a map of several scenes, since it belongs to one.
-void check_single_scene(const PlanArguments& arguments) {
-  arguments.views.check(arguments.inputs);
+/// Refuses a map of several scenes, since it belongs to one, and one on standard output.
+void check_map(const PlanArguments& arguments) {
+  if (arguments.map == "-") throw CLI::ValidationError("--map", "takes the path of a file");
   if (arguments.map.empty() || arguments.input.scene || arguments.inputs.size() == 1) return;
   throw CLI::ValidationError("--map",
                              "takes a single INPUT, or views of one scene (--scene); plan for one "
@@ -263,7 +263,8 @@ void check_single_scene(const PlanArguments& arguments) {
 
 void run(const PlanArguments& arguments) {
   arguments.input.check(arguments.inputs);
-  check_single_scene(arguments);
+  arguments.views.check(arguments.inputs);
+  check_map(arguments);
   const PlanSetup setup = setup_of(arguments);
   arguments.query.query();
   PlanOutput output{JsonLines(arguments.json),
