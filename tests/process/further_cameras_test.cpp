@@ -1,4 +1,4 @@
-// What both processes do alike with the clouds of further cameras.
+// Further cameras of both processes: their clouds are counted, refused and placed in the same way.
 #include <string>
 
 #include "process/chain.hpp"

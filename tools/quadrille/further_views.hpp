@@ -31,7 +31,8 @@ struct ViewArguments {
 
 /// All views of a scene in the working frame K.
 struct SceneViews {
-  /// What is known of the input, with the points of all views and the time to read them.
+  /// The facts about the input, but with the number of points of all views together, and the time
+  /// that reading all of them took.
   io::InputInfo info;
   /// The only view, if it is the input's cloud as it came, which is not copied.
   const PointCloud* only = nullptr;

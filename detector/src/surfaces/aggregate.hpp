@@ -45,12 +45,13 @@ class Aggregation {
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
-  /// Where an accepted surface lies.
+  /// An accepted surface, as the evidence for others sees it: its quadric, and the middle and size
+  /// of its region.
   struct Place {
     Quadric Q;
     Normalisation local;
   };
-  /// What the trial of a candidate looks at of the surfaces accepted before.
+  /// The surfaces that were accepted so far, as far as the trial of a candidate depends on them.
   struct Accepted {
     Claims claims;
     /// One for each surface.

@@ -21,17 +21,6 @@ constexpr float kPlaceEdge = 0.04f;
 // are narrow.
 constexpr float kMaxReach = 0.1f;
 
-/// Number of marked cells among a cell and its eight neighbours.
-int count_about(const Mask& cells, const Sight& sight, int i, int j) {
-  int count = 0;
-  for (int y = std::max(j - 1, 0); y <= std::min(j + 1, sight.height - 1); ++y) {
-    for (int x = std::max(i - 1, 0); x <= std::min(i + 1, sight.width - 1); ++x) {
-      count += cells[static_cast<std::size_t>(y) * sight.width + x];
-    }
-  }
-  return count;
-}
-
 /// True if a part of the line between two places lies in the box; false if one is not finite.
 bool passes_through(const Eigen::AlignedBox3f& box, const Eigen::Vector3f& from,
                     const Eigen::Vector3f& to) {
@@ -95,7 +84,7 @@ std::vector<NewPlace> put_down(const Sight& newer, const Sight& older) {
   for (int j = 0; j < newer.height; ++j) {
     for (int i = 0; i < newer.width; ++i) {
       const std::size_t cell = static_cast<std::size_t>(j) * newer.width + i;
-      marked[cell] = through[cell] && count_about(through, newer, i, j) >= kMinCells;
+      marked[cell] = through[cell] && count_marked_about(through, newer, i, j) >= kMinCells;
     }
   }
   std::vector<NewPlace> places;

@@ -24,17 +24,6 @@ std::optional<std::size_t> cell_of(const Sight& sight, const Eigen::Vector3f& p_
   return static_cast<std::size_t>(at.y()) * sight.width + static_cast<std::size_t>(at.x());
 }
 
-/// True if a cell or one of its neighbours is marked.
-bool is_marked_about(const Mask& cells, const Sight& sight, std::size_t cell) {
-  const int i = static_cast<int>(cell) % sight.width, j = static_cast<int>(cell) / sight.width;
-  for (int y = std::max(j - 1, 0); y <= std::min(j + 1, sight.height - 1); ++y) {
-    for (int x = std::max(i - 1, 0); x <= std::min(i + 1, sight.width - 1); ++x) {
-      if (cells[static_cast<std::size_t>(y) * sight.width + x]) return true;
-    }
-  }
-  return false;
-}
-
 /// A row of a view's cells, and how they project into another view.
 struct RowGeometry {
   /// A cell's place times its inverse depth, in the other view's frame: that of the row's first
@@ -137,6 +126,16 @@ Eigen::Vector3f place_of_cell(const Sight& view, int i, int j) {
   return view.X_VC.inverse() * Eigen::Vector3f(tangent.x() / w, tangent.y() / w, 1.0f / w);
 }
 
+int count_marked_about(const Mask& cells, const Sight& view, int i, int j) {
+  int count = 0;
+  for (int y = std::max(j - 1, 0); y <= std::min(j + 1, view.height - 1); ++y) {
+    for (int x = std::max(i - 1, 0); x <= std::min(i + 1, view.width - 1); ++x) {
+      count += cells[static_cast<std::size_t>(y) * view.width + x];
+    }
+  }
+  return count;
+}
+
 Mask cells_seen_through(const Sight& view, const Sight& other) {
   Mask through(view.w.size(), 0);
   std::vector<int> open;
@@ -183,7 +182,9 @@ Mask border_points_seen_through(std::span<const Eigen::Vector3f> points_C, const
   for (std::size_t n = 0; n < through.size(); ++n) {
     const Eigen::Vector3f& p_C = points_C[n];
     const std::optional<std::size_t> cell = cell_of(view, p_C);
-    if (!cell || !is_marked_about(cells, view, *cell)) continue;
+    if (!cell) continue;
+    const int k = static_cast<int>(*cell);
+    if (count_marked_about(cells, view, k % view.width, k / view.width) == 0) continue;
     const float depth = (view.X_VC * p_C).z(), w = view.w[*cell];
     const bool shown = std::abs(depth * w - 1.0f) <= kWellBehind.behind * w;
     through[n] = !shown && sees_through(other, p_C, kWellBehind);

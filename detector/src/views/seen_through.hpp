@@ -47,6 +47,9 @@ Mask points_seen_through(std::span<const Eigen::Vector3f> points_C, const Sight&
 Mask border_points_seen_through(std::span<const Eigen::Vector3f> points_C, const Sight& view,
                                 const Mask& cells, const Sight& other);
 
+/// Number of marked cells among cell (i, j) of a view and its eight neighbours.
+int count_marked_about(const Mask& cells, const Sight& view, int i, int j);
+
 /// The place that a cell of a view shows, in frame C; the cell must have seen something.
 Eigen::Vector3f place_of_cell(const Sight& view, int i, int j);
 

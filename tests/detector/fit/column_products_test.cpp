@@ -19,7 +19,7 @@ void check_products(int size) {
   RandomStream random(5, static_cast<std::uint64_t>(size));
   ChunkColumns<Scalar, kProductColumns> C;
   for (auto& column : C.column) {
-    // What was left beyond the points must not count.
+    // Fill all rows, so that the test fails if rows beyond `size` count.
     for (Scalar& value : column) value = static_cast<Scalar>(random.below(2001) - 1000);
   }
   C.clear_beyond(size);

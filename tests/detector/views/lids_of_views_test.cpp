@@ -16,7 +16,7 @@ namespace {
 constexpr double kCanRadius = 0.04, kCanHeight = 0.1, kTangent = 1.0 / 450.0;
 const Eigen::Isometry3d kTablePose = world_seen_from({0.0, -0.45, 0.4});
 
-/// What one view shows of a can on a table at kTablePose.
+/// Searches a cloud for planes and surfaces with the standard options.
 std::optional<Scene> scene_of(const PointCloud& cloud) {
   StageClock clock;
   return search_view(cloud, {}, {}, clock);

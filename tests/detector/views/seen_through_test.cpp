@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kWidth = 60, kHeight = 44;
 
-/// What a camera sees of a wall at z = 1, and of a square before it that is 0.2 wide and has its
-/// middle at x.
+/// The depths of a camera that looks at a wall at z = 1 m and at a square of 0.2 m before it, whose
+/// middle is at (x, 0).
 /// @param eye     where the camera is
 /// @param square  depth of the square's plane z [m]; 1 if there is none
 /// @param R_VC    how the camera is turned
@@ -66,7 +66,8 @@ TEST_CASE("cells are seen through as their places are", "[views]") {
     }
   }
   const Mask through = cells_seen_through(view, other);
-  // Those that are seen through well, and by a narrow margin beside them, whatever the order.
+  // The definition, by brute force: first all cells that are seen through by a wide margin, then,
+  // until there are no more, neighbours of these that are seen through by a narrow one.
   Mask expected(view.w.size(), 0);
   for (bool grows = true, first = true; grows; first = false) {
     grows = false;
