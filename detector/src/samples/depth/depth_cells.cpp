@@ -138,7 +138,7 @@ double layered_share(const DepthCells& cells, const std::vector<int>& layered) {
   std::ptrdiff_t filled = 0;
   for (int j = 1; j + 1 < cells.height; ++j) {
     const int* const row = cells.count.data() + std::ptrdiff_t{j} * cells.width;
-    filled += std::count_if(row + 1, row + cells.width - 1, [](int n) { return n > 0; });
+    for (int i = 1; i + 1 < cells.width; ++i) filled += row[i] > 0;
   }
   return filled ? static_cast<double>(inside) / static_cast<double>(filled) : 0.0;
 }

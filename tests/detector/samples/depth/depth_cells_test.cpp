@@ -86,3 +86,16 @@ TEST_CASE("layers tell a fused cloud from a single view", "[depth][cells]") {
   CHECK(layered(single) < 0.0002);
   CHECK(layered(fused) > 0.9);
 }
+
+TEST_CASE("an image one cell wide or high has layers, but no area of them", "[depth][cells]") {
+  std::vector<Eigen::Vector3f> column, row;
+  for (int k = 0; k < 64; ++k) {
+    const float along = 0.001f * static_cast<float>(k) + 0.0005f;
+    for (const float w : {1.0f, 1.0f, 0.5f}) {
+      column.push_back({0.001f, along, w});
+      row.push_back({along, 0.001f, w});
+    }
+  }
+  CHECK(make_depth_cells(cloud_of(column), {}, image_of(4, 64, 0.001f), 4).layered == 0.0);
+  CHECK(make_depth_cells(cloud_of(row), {}, image_of(64, 4, 0.001f), 4).layered == 0.0);
+}
