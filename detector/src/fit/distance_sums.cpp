@@ -168,11 +168,22 @@ double DistanceSums<Scalar>::squares() const {
 
 template <typename Scalar>
 Matrix11d DistanceSums<Scalar>::normal_equations() const {
+  return products(false);
+}
+
+template <typename Scalar>
+Matrix11d DistanceSums<Scalar>::offset_equations() const {
+  return products(true);
+}
+
+template <typename Scalar>
+Matrix11d DistanceSums<Scalar>::products(bool ones) const {
   Eigen::Matrix<double, 11, 11, Eigen::RowMajor> N;
   N.setZero();
   Jacobian<Scalar> J;
   for (const PointChunk<Scalar>& chunk : chunks()) {
     differentiate(chunk, min_slope_, &J);
+    if (ones) std::fill_n(J.column[kColumns - 1], chunk.size, Scalar(1));
     J.clear_beyond(chunk.size);
     add_products(J, chunk.size, N.data());
   }

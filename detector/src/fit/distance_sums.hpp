@@ -33,8 +33,13 @@ class DistanceSums {
   /// The 11x11 matrix [JᵀJ Jᵀr; rᵀJ rᵀr], where J = dr/dq. Rows are in the order of q, the residual
   /// last; its last element is squares().
   Matrix11d normal_equations() const;
+  /// The same with residuals of one unit in place of r, [JᵀJ Jᵀ1; 1ᵀJ n]: the equations of the
+  /// step by which a fit follows its points if all of them move up their gradients by a unit.
+  Matrix11d offset_equations() const;
 
  private:
+  /// Sums of the products of J's columns and a last one, r or ones.
+  Matrix11d products(bool ones) const;
   std::span<PointChunk<Scalar>> chunks() const;
 
   Eigen::Index points_;

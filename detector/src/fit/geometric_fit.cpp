@@ -180,9 +180,10 @@ template std::optional<FamilyFit> refine(DistanceSums<float>*, Family, const Pos
 template std::optional<FamilyFit> refine(DistanceSums<double>*, Family, const PosedQuadric&, int,
                                          double, double);
 
-Eigen::MatrixXd information(const OrientedPointsf& points, const FamilyFit& fit) {
-  const Normal N = DistanceSums(points).evaluate(fit.posed.matrix()).normal_equations();
-  return Step(family_spec(fit.family), fit.posed, N).A;
+FitInformation information(const OrientedPointsf& points, const FamilyFit& fit) {
+  const Normal N = DistanceSums(points).evaluate(fit.posed.matrix()).offset_equations();
+  const Step step(family_spec(fit.family), fit.posed, N);
+  return {step.A, step.b};
 }
 
 }  // namespace quadrille

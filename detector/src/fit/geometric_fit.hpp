@@ -41,7 +41,14 @@ std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family fam
   return refine(&sums, family, start, iterations, wanted, min_gain);
 }
 
-/// JᵀJ of the residuals of a fit with respect to the family's parameters: shapes, then motions.
-Eigen::MatrixXd information(const OrientedPointsf& points, const FamilyFit& fit);
+/// How the points of a fit determine the family's parameters: shapes, then motions.
+struct FitInformation {
+  /// JᵀJ, where J holds the derivatives of the residuals by the parameters.
+  Eigen::MatrixXd JtJ;
+  /// Jᵀ1. If all points move up their gradients by δ, the parameters change by −(JᵀJ)⁻¹ Jᵀ1 δ.
+  Eigen::VectorXd Jt1;
+};
+
+FitInformation information(const OrientedPointsf& points, const FamilyFit& fit);
 
 }  // namespace quadrille

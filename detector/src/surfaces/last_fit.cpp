@@ -97,6 +97,8 @@ Surface last_fit(Surface surface, const SurfaceSamples& samples,
   if (!closed) return alone;
   Surface with_lid = refitted(surface, closed->fit, closed->points);
   with_lid.common_error = closed->common_error;
+  // Edges in the image stay where they are if the sensor moves the wall along its normals.
+  with_lid.information.Jt1 = information(points, with_lid.fit).Jt1;
   return is_surer(alone, with_lid, samples) ? alone : with_lid;
 }
 

@@ -20,7 +20,7 @@ struct Surface {
   FamilyFit fit;
   Normalisation local;
   /// How well the points determine the fit; see information().
-  Eigen::MatrixXd information;
+  FitInformation information;
   std::vector<int> region;
   /// Root mean square distance of the region's samples [m].
   double rms = 0.0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "fit/family_spec.hpp"
@@ -18,6 +19,10 @@ namespace {
 constexpr double kRoundnessStd = 0.12;
 // A dimension is a guess if its standard deviation exceeds this share of its value.
 constexpr double kGuessShare = 0.5;
+// What a sensor moves a whole surface along its normals by, as a standard deviation and a share of
+// a cell's edge, where neighbouring cells share all of their noise. By the likelihood of the
+// radii's errors on simulated stereo, structured light and time of flight.
+constexpr double kOffsetShare = 0.8;
 // Directions of the parameter space with a larger standard deviation count as undetermined; bodies
 // have about unit size.
 constexpr double kOpenStd = 0.5;
@@ -25,8 +30,8 @@ constexpr double kOpenStd = 0.5;
 /// A family's parameters, and how well the samples determine them.
 struct Information {
   Family family;
-  /// JᵀJ over `points` residuals.
-  Eigen::MatrixXd sum;
+  FitInformation sum;
+  /// Number of residuals in the sum.
   double points;
 };
 
@@ -43,19 +48,36 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
   return {fit.family, surface.information, static_cast<double>(fit.points)};
 }
 
-/// Variance of the mean of the noise [squared unit of the fit].
+/// Variance of the mean of the noise that is averaged over the points [squared unit of the fit].
 double variance_of_mean(const Surface& surface) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double variance = surface.fit.rss / n;
-  const double correlation = surface.evidence.correlation;
-  const double averaged = variance / (free * effective_share(correlation)) +
-                          surface.common_error * surface.common_error;
+  const double averaged =
+      surface.fit.rss / (n * free * effective_share(surface.evidence.correlation));
+  return averaged + surface.common_error * surface.common_error;
+}
+
+/// Number of views that show the surface; one that shows less of it than another counts less.
+double effective_views(const Surface& surface, const SurfaceSamples& samples) {
+  std::map<std::size_t, double> shown;
+  for (const int i : surface.region) shown[samples.view_of(i)] += 1.0;
+  double squares = 0.0;
+  for (const auto& [view, count] : shown) squares += count * count;
+  const double size = static_cast<double>(surface.region.size());
+  return size * size / squares;
+}
+
+/// Standard deviation of what the whole surface may be off along its normals [unit of the fit].
+double offset_std(const Surface& surface, const SurfaceSamples& samples) {
   // The correlation of N samples with about 4 N pairs of neighbours varies by 1 / √(4 N) if there
   // is none; twice that counts as chance.
-  if (correlation < 1.0 / std::sqrt(static_cast<double>(surface.region.size()))) return averaged;
-  const double noise = std::pow(surface.evidence.sigma / surface.local.scale, 2);
-  return averaged + std::max(0.0, variance - noise);
+  const double correlation = surface.evidence.correlation;
+  const double size = static_cast<double>(surface.region.size());
+  if (correlation < 1.0 / std::sqrt(size)) return 0.0;
+  double cells = 0.0;
+  for (const int i : surface.region) cells += samples.cell[i];
+  const double share = std::sqrt(correlation / effective_views(surface, samples));
+  return kOffsetShare * share * cells / size / surface.local.scale;
 }
 
 /// Derivative of a function of the fit by the family's parameters, by finite differences.
@@ -105,14 +127,16 @@ double published_std(double value, double std, QuadricType type) {
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form) {
   const Information information = information_of(surface, samples, form.type);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information.sum);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information.sum.JtJ);
   // Smaller eigenvalues consist of rounding errors only.
   const double min_known =
       std::numeric_limits<double>::epsilon() * eigen.eigenvalues().tail<1>()[0];
-  const double variance = variance_of_mean(surface) * information.points;
-  const Eigen::VectorXd variances =
-      eigen.eigenvalues().unaryExpr([&](double l) { return l > min_known ? variance / l : 0.0; });
+  const Eigen::VectorXd inverse =
+      eigen.eigenvalues().unaryExpr([&](double l) { return l > min_known ? 1.0 / l : 0.0; });
   const Eigen::MatrixXd& V = eigen.eigenvectors();
+  const Eigen::VectorXd variances = variance_of_mean(surface) * information.points * inverse;
+  const Eigen::VectorXd offset =
+      offset_std(surface, samples) * inverse.asDiagonal() * (V.transpose() * information.sum.Jt1);
   const Eigen::VectorXd std = (V * variances.asDiagonal() * V.transpose()).diagonal().cwiseSqrt();
   const Eigen::VectorXd steps = (1e-3 * std).cwiseMax(1e-6).cwiseMin(1e-3);
 
@@ -120,9 +144,12 @@ Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples
   const Eigen::MatrixXd dimensions =
       derivative(surface.fit.posed, information.family, steps,
                  [&](const PosedQuadric& at) { return dimensions_of(at, form.type); }) *
-      V * variances.cwiseSqrt().asDiagonal();
+      V;
+  const Eigen::MatrixXd averaged = dimensions * variances.cwiseSqrt().asDiagonal();
+  const Eigen::VectorXd together = dimensions * offset;
   for (std::size_t i = 0; i < form.dimensions.size(); ++i) {
-    const double own = dimensions.row(static_cast<Eigen::Index>(i)).norm();
+    const auto row = static_cast<Eigen::Index>(i);
+    const double own = std::hypot(averaged.row(row).norm(), together[row]);
     result.std.push_back(published_std(form.dimensions[i].second, own, form.type));
   }
 
@@ -133,13 +160,16 @@ Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples
                    return Eigen::VectorXd(coefficients_of(at, surface.local, q0));
                  }) *
       V;
+  Vector10d q_offset = Vector10d::Zero();
   Eigen::MatrixXd open = q;
   for (Eigen::Index k = 0; k < variances.size(); ++k) {
     const bool known = eigen.eigenvalues()[k] > min_known && variances[k] < kOpenStd * kOpenStd;
     if (!known) continue;
     result.covariance.known += variances[k] * q.col(k) * q.col(k).transpose();
+    q_offset += offset[k] * q.col(k);
     open.col(k).setZero();
   }
+  result.covariance.known += q_offset * q_offset.transpose();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(open);
   if (qr.rank() > 0) {
     result.covariance.open = qr.householderQ() * Eigen::MatrixXd::Identity(10, qr.rank());

@@ -16,15 +16,16 @@ struct Uncertainty {
   QuadricCovariance covariance;
 };
 
-/// Computes the covariance of a surface's fit, V (JᵀJ / N)⁻¹, where N is the number of points and V
-/// the variance of their mean noise, and from it, through the derivatives by the family's
-/// parameters, that of q and of the dimensions.
+/// Computes the covariance of a surface's fit, and from it, through the derivatives by the family's
+/// parameters, that of q and of the dimensions. It has two parts:
 ///
-/// V has several parts. Noise is averaged over the samples, over fewer where neighbours share it;
-/// see effective_share(). What the residuals exceed the measured noise by is not averaged at all:
-/// waves longer than the patches in which noise is measured, a bent depth image or a flaw of the
-/// body are followed by the fit like the surface itself. Nor is what the points of a lid's outline
-/// may be off together.
+/// - V (JᵀJ / N)⁻¹, where N is the number of points and V the variance of their mean noise. Noise
+/// is
+///   averaged over the samples, over fewer where neighbours share it; see effective_share(). What
+///   the points of a lid's outline may be off together is not averaged.
+/// - What a sensor that smooths its image moves the whole surface along its normals by: the step
+///   −(JᵀJ)⁻¹ Jᵀ1 δ of the parameters. The variance of δ is in proportion to the correlation of
+///   neighbours and to the square of the cells' edge. Views count as independent.
 /// @param form  canonical form of the surface's fit, in its local coordinates
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form);

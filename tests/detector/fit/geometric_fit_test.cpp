@@ -73,7 +73,28 @@ TEST_CASE("the information is JᵀJ by finite differences of the first-order dis
       }
     }
     const Eigen::MatrixXd expected = J.transpose() * J;
-    CHECK((information(data.points, *fit) - expected).norm() < 1e-3 * expected.norm());
+    const FitInformation found = information(data.points, *fit);
+    CHECK((found.JtJ - expected).norm() < 1e-3 * expected.norm());
+    const Eigen::VectorXd sums = J.transpose() * Eigen::VectorXd::Ones(J.rows());
+    CHECK((found.Jt1 - sums).norm() < 1e-3 * std::sqrt(expected.trace() * double(J.rows())));
+  }
+}
+
+TEST_CASE("points that all move along their normals make a ball and a cylinder larger by as much",
+          "[fit][law]") {
+  RandomStream random(35, 0);
+  for (const FamilyExample& example : family_examples()) {
+    if (example.family != Family::kSphere && example.family != Family::kCylinder) continue;
+    CAPTURE(example.name);
+    const ExamplePoints data = make_points(example, 200, 0.0, random);
+    const auto fit = refine(data.points, example.family, data.truth, 5);
+    REQUIRE(fit);
+    const FitInformation found = information(data.points, *fit);
+    const auto radius_after = [&](double offset) {
+      const Eigen::VectorXd step = -offset * found.JtJ.ldlt().solve(found.Jt1);
+      return canonical_form(moved(example.family, fit->posed, step)).dimensions[0].second;
+    };
+    CHECK(radius_after(1e-3) - radius_after(0.0) == Approx(1e-3).epsilon(0.02));
   }
 }
 
