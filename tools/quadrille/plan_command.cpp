@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,11 +17,8 @@
 #include "cli/planner/surroundings_arguments.hpp"
 #include "cli/report_option.hpp"
 #include "cli/robot_option.hpp"
-#include "io/file_bytes.hpp"
 #include "io/json/settings_json.hpp"
-#include "io/new_file.hpp"
 #include "io/planner/config.hpp"
-#include "io/planner/octree_file.hpp"
 #include "io/planner/plan_json.hpp"
 #include "io/run_info.hpp"
 #include "picture/picture.hpp"
@@ -38,6 +34,7 @@
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/lasting_scene.hpp"
+#include "quadrille/map_file.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
@@ -79,35 +76,6 @@ void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention con
     (*json)["grasps"][n]["X_CH"] = hand;
   }
 }
-
-/// The OctoMap of the last plan, which is written when all clouds were planned for.
-class MapFile {
- public:
-  explicit MapFile(const std::string& path) : path_(path), file_(path) {}
-
-  /// @param X_CK  pose of the map's frame K in the frame C in which it is written
-  void keep(std::shared_ptr<const OccupancyGrid> space, const Eigen::Isometry3d& X_CK) {
-    space_ = std::move(space);
-    X_CK_ = X_CK;
-  }
-
-  /// Writes nothing if the last plan has no map, even if an earlier one had.
-  void finish() {
-    if (!space_) return;
-    const bool moves = !X_CK_.matrix().isIdentity(0.0);
-    std::ofstream stream(file_.path(), std::ios::binary);
-    stream << io::octree_bytes(*(moves ? space_->moved(X_CK_) : *space_).to_octree());
-    stream.close();
-    if (!stream) throw io::FileError(path_, "", "cannot be written; check the space left");
-    file_.commit();
-  }
-
- private:
-  std::string path_;
-  io::NewFile file_;
-  std::shared_ptr<const OccupancyGrid> space_;
-  Eigen::Isometry3d X_CK_ = Eigen::Isometry3d::Identity();
-};
 
 /// Returns the lines that are not among the others.
 std::vector<std::string> without(std::vector<std::string> lines,

@@ -15,6 +15,8 @@
 namespace quadrille {
 namespace {
 
+// Largest number of steps. The reach is as narrow as it becomes after five, and most views take
+// only a few from there.
 constexpr int kIterations = 10;
 // Samples may match if their positions differ by no more than this many cells beside the errors of
 // the poses, and their normals by no more than 25°.
