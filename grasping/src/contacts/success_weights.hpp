@@ -6,26 +6,26 @@
 namespace quadrille {
 
 /// The log odds of success of a grasp whose terms are all zero.
-inline constexpr double kSuccessBias = -8.894;
+inline constexpr double kSuccessBias = -8.087;
 
 /// The weights of the GraspTerms in the log odds of success, in the order of GraspTerms::visit().
 inline constexpr std::array kSuccessWeights = {
-    0.1734,   // friction
-    0.6669,   // reserve
+    0.2078,   // friction
+    0.05000,  // reserve
     0.5000,   // clearance
     0.5000,   // room
-    0.5684,   // central
+    0.4066,   // central
     3.500,    // seen
-    2.059,    // confidence
-    -3.066,   // range
-    1.558,    // rim
+    2.134,    // confidence
+    -3.102,   // range
+    1.481,    // rim
     0.05000,  // shape
-    0.9396,   // inner
-    0.6728,   // height
-    0.7088,   // facing
-    0.8968,   // filled
-    0.9774,   // flat
-    0.8845,   // sure
+    0.9315,   // inner
+    0.6849,   // height
+    0.8616,   // facing
+    0.5232,   // filled
+    1.012,    // flat
+    0.8617,   // sure
 };
 
 }  // namespace quadrille
