@@ -53,6 +53,11 @@ double Body::width_std(const Eigen::Vector3d& d_Q, double z) const {
   return std::min(sum, kMaxStd);
 }
 
+double Body::least_width_std(const Eigen::Vector3d& d_Q) const {
+  const bool even = profile == Profile::kConstant || profile == Profile::kEllipse;
+  return even ? width_std(d_Q, 0.0) : 0.0;
+}
+
 Eigen::Vector2d Body::widest() const {
   const bool bulges = profile == Profile::kEllipse;
   const double s = bulges ? 1.0 : std::max(scale(z_min), scale(z_max));

@@ -52,6 +52,9 @@ struct Body {
   /// Standard deviation of half the width across unit direction d_Q at height z, at most 10 mm [m].
   /// Each semi-axis contributes according to the direction: h² = Σ aᵢ²dᵢ², so dh = Σ aᵢdᵢ²·daᵢ/h.
   double width_std(const Eigen::Vector3d& d_Q, double z) const;
+  /// A lower bound of width_std() across a direction at all heights: exact for cylinders and
+  /// ellipsoids, otherwise 0 [m].
+  double least_width_std(const Eigen::Vector3d& d_Q) const;
   /// Half sizes of the bounding box along x and y at the widest cross-section [m].
   Eigen::Vector2d widest() const;
   /// Bounding box in frame Q [m].

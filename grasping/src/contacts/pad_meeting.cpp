@@ -72,12 +72,12 @@ PadMeetingFinder::PadMeetingFinder(const Body& body, const Gripper& gripper,
   square_ = (quadric_.M.transpose() * from_origin_Q_.cwiseAbs2()).transpose().cast<float>().array();
 }
 
-/// Returns true if one chord is longer than the hand's opening.
-bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
+/// Returns true if one chord is longer than a width.
+bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q, double max_width) const {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(q_Q) + 0.5 * quadric_.g;
   const double B = half_gradient.dot(y_Q_);
   const double C = q_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(q_Q) + quadric_.k;
-  const double half = 0.5 * gripper_.max_opening * curvature_;
+  const double half = 0.5 * max_width * curvature_;
   const double D = B * B - curvature_ * C;
   if (D <= half * half) return false;
   const double root = std::sqrt(D);
@@ -180,16 +180,18 @@ double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& 
   return std::sqrt(1.0 / std::max(min_cosine * min_cosine, 1e-6) - 1.0);
 }
 
-std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double max_friction) {
+std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double max_friction,
+                                               double max_width) {
+  max_width = std::min(max_width, gripper_.max_opening);
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
   const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
   // This cheap test comes first: most bodies that are too wide are so at the pads' middle or tips.
   for (const int n : {0, kColumns}) {
-    if (too_wide(p_Q + from_origin_Q_.col(n))) return std::nullopt;
+    if (too_wide(p_Q + from_origin_Q_.col(n), max_width)) return std::nullopt;
   }
   if (!cross(p_Q)) return std::nullopt;
   const std::array<double, 2> out = {farthest_[0], farthest_[1]};
-  if (out[0] + out[1] > gripper_.max_opening) return std::nullopt;
+  if (out[0] + out[1] > max_width) return std::nullopt;
   std::array<int, 2> at;
   for (int i = 0; i < 2; ++i) {
     at[i] =

@@ -36,17 +36,19 @@ class PadMeetingFinder {
                    const Eigen::Vector3d& approach_C) = delete;
 
   /// Finds the contacts of a hand whose origin is p_C, moved along its closing direction as needed.
-  /// Nullopt if the fingers do not meet the body, would have to open too far, meet the edge of one
-  /// of its ends, or need more friction than `max_friction`.
+  /// Nullopt if the fingers do not meet the body, would have to open farther than the hand can or
+  /// than `max_width` [m], meet the edge of one of its ends, or need more friction than
+  /// `max_friction`.
   std::optional<PadMeeting> at(const Eigen::Vector3d& p_C,
-                               double max_friction = std::numeric_limits<double>::infinity());
+                               double max_friction = std::numeric_limits<double>::infinity(),
+                               double max_width = std::numeric_limits<double>::infinity());
 
  private:
   static constexpr int kRows = 8, kColumns = 5, kChords = kRows * kColumns;
   using Chords = Eigen::Array<float, kChords, 1>;
 
   bool on_edge(const ContactLine& line) const;
-  bool too_wide(const Eigen::Vector3d& q_Q) const;
+  bool too_wide(const Eigen::Vector3d& q_Q, double max_width) const;
   struct Crossing;
   bool cross_all(const Crossing& crossing);
   bool cross(const Eigen::Vector3d& p_Q);

@@ -93,7 +93,8 @@ class Search {
   }
 
   /// Adds the holds at all depths and places for one orientation of the hand.
-  void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior) {
+  void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior,
+           double max_width) {
     Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
     const std::vector<Eigen::Vector3d> places_G = places(X_CG);
@@ -106,7 +107,8 @@ class Search {
     for (const Eigen::Vector3d& p_G : places_G) {
       X_CG.translation() = X_CG.linear() * p_G;
       if (may_sink(X_CG.translation(), heights) && sinks(X_CG)) continue;
-      const std::optional<PadMeeting> met = finder.at(X_CG.translation(), limits_.friction);
+      const std::optional<PadMeeting> met =
+          finder.at(X_CG.translation(), limits_.friction, max_width);
       if (!met || met->line.width < gripper_.min_opening) continue;
       const double value = prior - 2.0 * met->friction;
       rated_.push_back({{met->line, approach_C, met->friction}, band(met->friction), value});
@@ -234,11 +236,13 @@ std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const Appr
   if (body.profile == Body::Profile::kBox) return {};
   Search search(body, gripper, limits);
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {
+    const double max_width = limits.max_width ? limits.max_width(d) : gripper.max_opening;
+    if (max_width <= 0.0) continue;
     const double across = 0.5 * (1.0 - std::abs(d.dot(space.view_C)));
     for (const Eigen::Vector3d& a : around_closing(d, d.unitOrthogonal())) {
       if (!wanted(a, space) || !reachable(a, space)) continue;
       const double from = std::max(-a.dot(space.view_C), -a.dot(space.up_C));
-      search.add(d, a, across + 0.3 * from);
+      search.add(d, a, across + 0.3 * from, max_width);
     }
   }
   return search.ordered();

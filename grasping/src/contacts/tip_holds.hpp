@@ -25,6 +25,9 @@ struct TipLimits {
   /// with its origin at that of C, and a box in its axes that holds all origins of G [m].
   std::function<bool(const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G)>
       out_of_reach = {};
+  /// If set, the search leaves out holds with more than this distance between the contacts along a
+  /// closing direction, and directions for which it is not positive [m].
+  std::function<double(const Eigen::Vector3d& closing_C)> max_width = {};
 };
 
 /// Returns holds by the finger tips wherever they reach: at an end, beside the widest part, or

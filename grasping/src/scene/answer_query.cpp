@@ -38,7 +38,14 @@ Eigen::AlignedBox3d bounds_of(const CollisionShape& shape) {
 struct Outcome {
   std::vector<Grasp> grasps;
   RefusalCounts refusals;
+  /// Number of candidates that were too unlikely to succeed to be tried.
+  int unlikely = 0;
 };
+
+/// Returns true if a check of what is in the hand's way, or one after it, refused a candidate.
+bool was_obstructed(const RefusalCounts& refusals) {
+  return refusals.lower_bound(Refusal::kSupport) != refusals.end();
+}
 
 /// Answers one query.
 class QueryPlanner {
@@ -126,9 +133,15 @@ class QueryPlanner {
     Outcome found;
     if (query_.reach && !may_reach(*query_.reach, Eigen::Isometry3d::Identity(), hands_C)) {
       ++found.refusals[Refusal::kReach];
-    } else if (deadline_.passed() || try_holds(target, found.grasps, found.refusals)) {
-      ++found.refusals[Refusal::kDeadline];
+      return found;
     }
+    const bool cut = deadline_.passed() || try_holds(target, found);
+    // What stood in the way of likely grasps tells more than that others were unlikely, so that
+    // these count only if nothing did.
+    if (found.unlikely > 0 && found.grasps.empty() && !was_obstructed(found.refusals)) {
+      found.refusals[Refusal::kScore] += found.unlikely;
+    }
+    if (cut) ++found.refusals[Refusal::kDeadline];
     return found;
   }
 
@@ -149,10 +162,10 @@ class QueryPlanner {
 
   /// Tries holds by the tips, and then by the points, only if the target is not held in another way
   /// as often as is asked for; once at least.
-  /// @param grasps  receives the grasps
-  /// @param refusals  receives the refusals
+  /// @param outcome  receives the grasps and the refusals
   /// @return whether the deadline ended the search early
-  bool try_holds(const Target& target, std::vector<Grasp>& grasps, RefusalCounts& refusals) const {
+  bool try_holds(const Target& target, Outcome& outcome) const {
+    std::vector<Grasp>& grasps = outcome.grasps;
     const auto task = [&](const CollisionScene& scene) {
       return TargetTask{parts_, query_, deadline_, target, scene, {}, attached_G_};
     };
@@ -160,7 +173,8 @@ class QueryPlanner {
     bool cut = false;
     const auto add = [&](const TargetGrasps& found) {
       grasps.insert(grasps.end(), found.grasps.begin(), found.grasps.end());
-      for (const auto& [why, number] : found.refusals) refusals[why] += number;
+      for (const auto& [why, number] : found.refusals) outcome.refusals[why] += number;
+      outcome.unlikely += found.unlikely;
       cut |= found.cut;
     };
     // A search that continues others must find what they did not.

@@ -10,6 +10,7 @@
 #include "contacts/closing.hpp"
 #include "contacts/quality.hpp"
 #include "targets/hand_trials.hpp"
+#include "targets/terms.hpp"
 
 namespace quadrille {
 namespace {
@@ -69,7 +70,9 @@ std::vector<ContactLine> usable_lines(const TargetTask& task, const ApproachSpac
     if (!task.target.box) narrowed.opening *= kMinChordShare;
     const std::optional<Refusal> why = unusable(narrowed, task);
     if (why) trials.refuse(*why);
-    return why.has_value();
+    const bool unlikely = !why && best_shape_score(line.std, task) < *task.query.min_score;
+    if (unlikely) trials.leave_out_unlikely();
+    return why || unlikely;
   });
   return lines;
 }

@@ -10,6 +10,7 @@
 #include "hand/hand.hpp"
 #include "hand/reachable_places.hpp"
 #include "targets/describe.hpp"
+#include "targets/terms.hpp"
 
 namespace quadrille {
 namespace {
@@ -62,8 +63,9 @@ Refusal refusal_of(Obstruction what) {
 
 /// Returns the distance that each pad keeps from the target on the way in [m]. The errors of the
 /// hand's path and of the target's position are independent, so they add in squares.
-double pad_margin(const ContactLine& line, const PlanOptions& options) {
-  return std::hypot(options.pad_margin, std::min(kSigmas * line.std, kMaxDoubt));
+/// @param std  standard deviation of half the width between the contacts [m]
+double pad_margin(double std, const PlanOptions& options) {
+  return std::hypot(options.pad_margin, std::min(kSigmas * std, kMaxDoubt));
 }
 
 /// Returns the openings of the hand to be tried, in this order [m].
@@ -99,7 +101,11 @@ ApproachSpace approach_space(const TargetTask& task) {
 }
 
 double min_opening(const ContactLine& line, const PlanOptions& options) {
-  return line.opening + 2.0 * pad_margin(line, options);
+  return line.opening + 2.0 * pad_margin(line.std, options);
+}
+
+double max_width(double std, const TargetTask& task) {
+  return task.parts.gripper.max_opening - 2.0 * pad_margin(std, task.parts.options);
 }
 
 std::optional<Refusal> misfit(const ContactLine& line, const TargetTask& task) {
@@ -184,6 +190,10 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   if (resembles_accepted(line, attempt.X_CG.linear().col(2))) return true;
   const Eigen::Vector3d here_G = Eigen::Vector3d::Zero();
   if (out_of_reach(attempt.X_CG, Eigen::AlignedBox3d(here_G))) return false;
+  if (best_score(attempt, task_) < *task_.query.min_score) {
+    leave_out_unlikely();
+    return false;
+  }
   const auto swept = [&](double preshape) {
     return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.parts.options.approach,
                       task_.attached_G);
@@ -197,7 +207,7 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   if (stopped_by(scene.closing_obstruction(fingers))) return false;
   if (stopped_by(scene.back_obstruction(swept(line.opening)))) return false;
   if (attempt.may_bulge && meets_too_early(line, attempt.X_CG, gripper, scene.target,
-                                           pad_margin(line, task_.parts.options))) {
+                                           pad_margin(line.std, task_.parts.options))) {
     obstructed(Refusal::kTarget);
     return false;
   }

@@ -19,6 +19,10 @@ ApproachSpace approach_space(const TargetTask& task);
 /// Returns how far the hand has to open for a line, including the margin that each pad keeps [m].
 double min_opening(const ContactLine& line, const PlanOptions& options);
 
+/// Returns the greatest distance between the contacts of a line across which the hand can open [m].
+/// @param std  standard deviation of half that distance [m]
+double max_width(double std, const TargetTask& task);
+
 /// Returns kWidth if the hand cannot open that far, or cannot close that far.
 std::optional<Refusal> misfit(const ContactLine& line, const TargetTask& task);
 
@@ -54,6 +58,8 @@ class HandTrials {
   /// Returns true once there are enough grasps, enough was tried, or the deadline has passed.
   bool done();
   void refuse(Refusal why, int count = 1) { found_.refusals[why] += count; }
+  /// Counts candidates that would score too little even with nothing in their way.
+  void leave_out_unlikely(int count = 1) { found_.unlikely += count; }
   /// Returns true if a similar grasp was already accepted, so that this one would add nothing.
   bool resembles_accepted(const ContactLine& line, const Eigen::Vector3d& approach_C) const;
   /// Returns true, and counts a refusal, if the arm cannot bring the hand to any of these places.

@@ -35,6 +35,9 @@ struct TargetTask {
 struct TargetGrasps {
   std::vector<Grasp> grasps;
   RefusalCounts refusals;
+  /// Number of candidates that were not tried, since they would score too little even with nothing
+  /// in their way.
+  int unlikely = 0;
   /// True if the deadline ended the search early.
   bool cut = false;
 };

@@ -4,6 +4,7 @@
 
 #include "contacts/tip_holds.hpp"
 #include "targets/hand_trials.hpp"
+#include "targets/terms.hpp"
 
 namespace quadrille {
 namespace {
@@ -23,6 +24,18 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
   return std::nullopt;
 }
 
+/// Returns the greatest distance between the contacts of a hold with this closing direction [m]; 0
+/// if the target's width along it is so uncertain that no hold would score enough.
+double widest_hold(const Eigen::Vector3d& closing_C, const TargetTask& task, HandTrials& trials) {
+  // Far more than what rounding changes in widths of some centimetres [m].
+  constexpr double kRounding = 1e-6;
+  const Body& body = task.target.body;
+  const double std = body.least_width_std(body.X_CQ.linear().transpose() * closing_C);
+  if (best_shape_score(std, task) >= *task.query.min_score) return max_width(std, task) + kRounding;
+  trials.leave_out_unlikely();
+  return 0.0;
+}
+
 }  // namespace
 
 TargetGrasps grasps_by_tips(const TargetTask& task) {
@@ -31,7 +44,8 @@ TargetGrasps grasps_by_tips(const TargetTask& task) {
                          kFrictionShare * task.parts.options.friction,
                          [&](const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G) {
                            return trials.out_of_reach(X_CG, places_G);
-                         }};
+                         },
+                         [&](const Eigen::Vector3d& d) { return widest_hold(d, task, trials); }};
   for (const Hold& hold :
        tip_holds(task.target.body, task.parts.gripper, approach_space(task), limits)) {
     if (trials.done()) break;

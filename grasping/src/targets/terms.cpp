@@ -1,0 +1,87 @@
+#include "targets/terms.hpp"
+
+#include <algorithm>
+
+#include "contacts/pad_cover.hpp"
+#include "contacts/success.hpp"
+
+namespace quadrille {
+namespace {
+
+// More room beside each pad than this is no further advantage to a grasp [m].
+constexpr double kFullRoom = 0.005;
+// Points beside a contact that reach farther along the approach than this are no further advantage,
+// and distances from the sensor beyond this no further disadvantage [m].
+constexpr double kFullHeight = 0.02, kFullRange = 1.5;
+// With this share of the friction to spare, errors of normals no longer decide: of 0.5 it is 8°.
+constexpr double kFullReserve = 0.3;
+// A shape whose half width is so uncertain tells nothing about the contacts [m].
+constexpr double kUnsure = 0.005;
+
+/// Returns the share of the pads' length along which a wall reaches out nearly as far as at a
+/// contact across which it leans. Tips hold at one place, and the hand lies along walls that it
+/// holds at the rim.
+double flat_share(const Attempt& attempt, const TargetTask& task) {
+  if (attempt.kind != GraspKind::kAcross) return 1.0;
+  const double behind = attempt.friction * 2.0 * task.parts.gripper.finger_front;
+  return behind > kNearlyAsFar ? kNearlyAsFar / behind : 1.0;
+}
+
+double sure(double std) { return 1.0 - std::min(1.0, std / kUnsure); }
+
+/// Returns the terms of the best grasp of its shape that the target could have.
+GraspTerms best_terms(const TargetTask& task) {
+  const Eigen::Vector3d to_sensor =
+      task.parts.view_of(task.target).p_CV() - task.target.body.centre_C();
+  GraspTerms terms;
+  GraspTerms::visit(terms, [](const char*, double& term) { term = 1.0; });
+  terms.confidence = std::clamp(task.target.confidence, 0.0, 1.0);
+  terms.range = std::min(1.0, to_sensor.norm() / kFullRange);
+  terms.rim = 0.0;
+  return terms;
+}
+
+}  // namespace
+
+GraspTerms terms_of(const Attempt& attempt, double preshape, const TargetTask& task) {
+  const ContactLine& line = attempt.line;
+  const Body& body = task.target.body;
+  const double reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
+  GraspTerms terms = best_terms(task);
+  const double spare = 1.0 - attempt.friction / task.parts.options.friction;
+  terms.friction = spare * attempt.straight;
+  terms.reserve = std::clamp(spare / kFullReserve, 0.0, 1.0);
+  terms.room = std::min(1.0, 0.5 * (preshape - line.opening) / kFullRoom);
+  terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);
+  terms.rim = attempt.kind == GraspKind::kRim ? 1.0 : 0.0;
+  terms.sure = sure(line.std);
+  if (!attempt.evidence) {
+    terms.flat = flat_share(attempt, task);
+    return terms;
+  }
+  terms.shape = 0.0;
+  terms.inner = attempt.evidence->inner;
+  terms.height = std::min(1.0, attempt.evidence->height / kFullHeight);
+  terms.facing = attempt.evidence->facing;
+  terms.filled = attempt.evidence->filled;
+  terms.flat = attempt.evidence->flat;
+  return terms;
+}
+
+double best_score(const Attempt& attempt, const TargetTask& task) {
+  return success_probability(terms_of(attempt, task.parts.gripper.max_opening, task));
+}
+
+double best_shape_score(double std, const TargetTask& task) {
+  GraspTerms terms = best_terms(task);
+  terms.sure = sure(std);
+  return success_probability(terms);
+}
+
+double best_point_score(const TargetTask& task) {
+  GraspTerms terms = best_terms(task);
+  terms.shape = 0.0;
+  return success_probability(terms);
+}
+
+}  // namespace quadrille
