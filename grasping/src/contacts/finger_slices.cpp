@@ -49,7 +49,7 @@ FingerSlices::FingerSlices(std::span<const Eigen::Vector3d> points, std::span<co
 const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
   slices_.clear();
   if (own_.rows() == 0) return slices_;
-  if (R.col(1) != closing_) sort_along(R.col(1));
+  sorted_ = &sorted_along(R.col(1));
   places_ = along(R.col(0), own_);
   const double low = places_.minCoeff(), high = places_.maxCoeff();
   if (!(low <= high)) return slices_;
@@ -67,11 +67,30 @@ const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
   return slices_;
 }
 
+SortedPoints FingerSlices::sorted() const {
+  if (sorted_ == nullptr) return {};
+  const auto is_last = [&](const Sorted& one) { return &one == sorted_; };
+  const auto number = std::find_if(directions_.begin(), directions_.end(), is_last);
+  return {sorted_->exact_y.data(), sorted_->y.data(), z_.data(), sorted_->index,
+          static_cast<std::size_t>(number - directions_.begin())};
+}
+
+/// Returns the points sorted along a closing direction.
+const FingerSlices::Sorted& FingerSlices::sorted_along(const Eigen::Vector3d& closing) {
+  const auto known = std::find_if(directions_.begin(), directions_.end(),
+                                  [&](const Sorted& one) { return one.closing == closing; });
+  if (known != directions_.end()) return *known;
+  directions_.emplace_back();
+  directions_.back().closing = closing;
+  sort(directions_.back());
+  return directions_.back();
+}
+
 /// Sorts the points along a closing direction. A point that shares a slice with an own one lies at
 /// most a finger's width and one of the heights from the highest own point there, so that points
 /// farther beside the own ones are left out, too.
-void FingerSlices::sort_along(const Eigen::Vector3d& closing) {
-  closing_ = closing;
+void FingerSlices::sort(Sorted& sorted) {
+  const Eigen::Vector3d& closing = sorted.closing;
   own_y_ = along(closing, own_);
   const double low = own_y_.minCoeff(), high = own_y_.maxCoeff();
   places_ = along(closing, points_);
@@ -94,19 +113,19 @@ void FingerSlices::sort_along(const Eigen::Vector3d& closing) {
   keys_.resize(static_cast<std::size_t>(keys - keys_.data()));
   sort_keys();
   const std::size_t count = keys_.size();
-  sorted_.resize(static_cast<Eigen::Index>(count), 3);
-  exact_y_.resize(count), y_.resize(count), index_.resize(count);
-  own_places_.clear();
+  sorted.points.resize(static_cast<Eigen::Index>(count), 3);
+  sorted.exact_y.resize(count), sorted.y.resize(count), sorted.index.resize(count);
   const double *from_x = points_.col(0).data(), *from_y = points_.col(1).data(),
                *from_z = points_.col(2).data();
-  double *x = sorted_.col(0).data(), *y = sorted_.col(1).data(), *z = sorted_.col(2).data();
+  double *x = sorted.points.col(0).data(), *y = sorted.points.col(1).data(),
+         *z = sorted.points.col(2).data();
   for (std::size_t k = 0; k < count; ++k) {
     const std::int64_t i = keys_.data()[k] & (kIndices - 1);
     x[k] = from_x[i], y[k] = from_y[i], z[k] = from_z[i];
-    exact_y_.data()[k] = places[i];
-    y_.data()[k] = static_cast<float>(places[i]);
-    index_.data()[k] = static_cast<std::uint32_t>(i);
-    if (is_own_.data()[i] != 0) own_places_.push_back(static_cast<std::uint32_t>(k));
+    sorted.exact_y.data()[k] = places[i];
+    sorted.y.data()[k] = static_cast<float>(places[i]);
+    sorted.index.data()[k] = static_cast<std::uint32_t>(i);
+    if (is_own_.data()[i] != 0) sorted.own_places.push_back(static_cast<std::uint32_t>(k));
   }
 }
 
@@ -138,9 +157,10 @@ void FingerSlices::sort_keys() {
 /// of strips n + 1 and n + 2. Points before and beyond all slices are in strip 0.
 QUADRILLE_VECTOR_CLONES
 void FingerSlices::find_strips(const Eigen::Matrix3d& R, double first, int steps) {
-  const auto count = static_cast<std::size_t>(sorted_.rows());
+  const Points& points = sorted_->points;
+  const auto count = static_cast<std::size_t>(points.rows());
   strips_.resize(count), z_.resize(count);
-  const double *x = sorted_.col(0).data(), *y = sorted_.col(1).data(), *z = sorted_.col(2).data();
+  const double *x = points.col(0).data(), *y = points.col(1).data(), *z = points.col(2).data();
   const double ax = R(0, 0), ay = R(1, 0), az = R(2, 0), bx = R(0, 2), by = R(1, 2), bz = R(2, 2);
   const double step = step_, most = steps;
   const int beyond = steps + 2;
@@ -163,8 +183,8 @@ void FingerSlices::find_own_ranges(int steps) {
   // Unlike vectors, these do not check each access.
   OwnRange* strips = own_strips_.data();
   const int* strip_of = strips_.data();
-  const float *y = y_.data(), *z = z_.data();
-  for (const std::uint32_t k : own_places_) strips[strip_of[k]].join({z[k], y[k], y[k]});
+  const float *y = sorted_->y.data(), *z = z_.data();
+  for (const std::uint32_t k : sorted_->own_places) strips[strip_of[k]].join({z[k], y[k], y[k]});
   ranges_.clear();
   for (int n = 0; n < steps; ++n) {
     ranges_.push_back(strips[n + 1]);
@@ -238,7 +258,7 @@ std::span<const std::uint32_t> FingerSlices::within_reach(std::size_t n) const {
   const float low = ranges_[n].low - beyond, high = ranges_[n].high + beyond;
   const Limits& slice = limits_[n + 1];
   // Unlike vectors, these do not check each access.
-  const float* y = y_.data();
+  const float* y = sorted_->y.data();
   const std::uint32_t *begin = members_.data() + slice.first, *end = members_.data() + slice.end;
   const auto* first = std::partition_point(begin, end, [&](std::uint32_t k) { return y[k] < low; });
   const auto* last =

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <span>
 #include <vector>
@@ -30,6 +31,8 @@ struct SortedPoints {
   const float *y = nullptr, *z = nullptr;
   /// Their indices in the original order.
   std::span<const std::uint32_t> index;
+  /// The number of the closing direction, in the order in which directions came first.
+  std::size_t direction = 0;
 };
 
 /// The heights that matter in a slice: so far above and below its highest own point [m].
@@ -49,15 +52,13 @@ class FingerSlices {
                const Gripper& gripper, const SliceHeights& heights);
 
   /// Moves a hand of an orientation across the own points, in steps of half a finger's width.
-  /// Calls that share the closing direction should follow each other, which saves sorting.
+  /// Points are sorted once for each closing direction.
   /// @param R  axes of the hand as columns: y closing, z approach
   /// @return the slices at these places that hold own points; they last until the next call
   const std::vector<FingerSlice>& cut(const Eigen::Matrix3d& R);
   /// The points as they were sorted for the last call. Those that no slice for its closing
-  /// direction can hold are missing.
-  SortedPoints sorted() const {
-    return {exact_y_.data(), y_.data(), z_.data(), {index_.data(), index_.size()}};
-  }
+  /// direction can hold are missing. They last as long as these slices.
+  SortedPoints sorted() const;
 
  private:
   using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -84,7 +85,18 @@ class FingerSlices {
     float low = std::numeric_limits<float>::infinity(), high = -low;
   };
 
-  void sort_along(const Eigen::Vector3d& closing);
+  /// The points that a slice for one closing direction may hold, sorted along it: their positions,
+  /// places along the direction, indices, and which of them are own.
+  struct Sorted {
+    Eigen::Vector3d closing = Eigen::Vector3d::Zero();
+    Points points;
+    std::vector<double> exact_y;
+    std::vector<float> y;
+    std::vector<std::uint32_t> index, own_places;
+  };
+
+  const Sorted& sorted_along(const Eigen::Vector3d& closing);
+  void sort(Sorted& sorted);
   void sort_keys();
   void find_strips(const Eigen::Matrix3d& R, double first, int steps);
   void find_own_ranges(int steps);
@@ -100,14 +112,9 @@ class FingerSlices {
   /// The middle of the own points, and the squared distances of all points from it [m, m²].
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
   Eigen::ArrayXd squares_, own_squares_;
-  /// The closing direction along which the points are sorted.
-  Eigen::Vector3d closing_ = Eigen::Vector3d::Zero();
-  /// The points that a slice for this closing direction may hold, sorted: their positions, places
-  /// along the closing direction, indices, and which of them are own.
-  Points sorted_;
-  std::vector<double> exact_y_;
-  std::vector<float> y_;
-  std::vector<std::uint32_t> index_, own_places_;
+  /// The points for each closing direction so far, and those for that of the last call.
+  std::deque<Sorted> directions_;
+  const Sorted* sorted_ = nullptr;
   // Kept to reuse their memory:
   std::vector<std::int64_t> keys_, sorted_keys_;
   std::vector<std::uint32_t> kept_;

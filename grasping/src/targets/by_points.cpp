@@ -1,6 +1,7 @@
 // Finds grasps between the outermost points of a target, whatever its shape.
+#include <algorithm>
+#include <span>
 #include <utility>
-#include <vector>
 
 #include "contacts/point_holds.hpp"
 #include "targets/hand_trials.hpp"
@@ -16,6 +17,25 @@ constexpr double kFrictionShare = 0.85;
 // Half size of the spot that must be seen to be free beside a thin wall [m].
 constexpr double kFreeSpot = 0.001;
 
+Attempt attempt_of(const Hold& hold) {
+  return {.line = hold.line,
+          .X_CG = grasp_pose(hold.line, hold.approach_C, 0.0),
+          .friction = hold.friction,
+          .evidence = hold.evidence,
+          .guessed = hold.guessed};
+}
+
+/// Tells after a round of orientations whether further ones are worth to be tried: only if the
+/// fingers of a hold that is likely enough have space to close, after two rounds its palm, too. Of
+/// 698 targets in simulated and real scenes this rule gave up those that took a third of the work,
+/// and among them 5 of the 125 that have grasps; each had a single one, with a score below .6.
+bool is_worth_more(int rounds, std::span<const Hold> found, const TargetTask& task,
+                   const HandTrials& trials) {
+  return std::any_of(found.begin(), found.end(), [&](const Hold& hold) {
+    return !misfit(hold.line, task) && trials.may_succeed(attempt_of(hold), rounds > 1);
+  });
+}
+
 }  // namespace
 
 TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points) {
@@ -24,20 +44,18 @@ TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points
   const ThinWalls walls{options.min_wall, options.max_wall, [&](const Eigen::Vector3d& p_C) {
                           return task.parts.view_of(task.target).sees_past(p_C, kFreeSpot);
                         }};
+  const auto goes_on = [&](int rounds, std::span<const Hold> found) {
+    return is_worth_more(rounds, found, task, trials);
+  };
   for (const Hold& hold :
        point_holds(points.all, points.own, task.parts.gripper, approach_space(task), walls,
-                   kFrictionShare * options.friction)) {
+                   kFrictionShare * options.friction, goes_on)) {
     if (trials.done()) break;
     if (const auto why = misfit(hold.line, task)) {
       trials.refuse(*why);
-      continue;
+    } else {
+      trials.try_hand(attempt_of(hold));
     }
-    const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
-    trials.try_hand({.line = hold.line,
-                     .X_CG = X_CG,
-                     .friction = hold.friction,
-                     .evidence = hold.evidence,
-                     .guessed = hold.guessed});
   }
   return std::move(trials).take();
 }

@@ -183,6 +183,30 @@ std::optional<Refusal> HandTrials::unwanted(Grasp& grasp) const {
   return std::nullopt;
 }
 
+bool HandTrials::is_unlikely(const Attempt& attempt) const {
+  return best_score(attempt, task_) < *task_.query.min_score;
+}
+
+/// Returns what is in the way of the fingers at the end of the approach, whatever their opening.
+std::optional<Obstruction> HandTrials::closing_obstruction(const Attempt& attempt) const {
+  const ContactLine& line = attempt.line;
+  return task_.scene.closing_obstruction(common_fingers(
+      task_.parts.gripper, attempt.X_CG, min_opening(line, task_.parts.options), line.width));
+}
+
+/// Returns what is in the way of the palm, and of what is fixed to the hand.
+std::optional<Obstruction> HandTrials::back_obstruction(const Attempt& attempt) const {
+  const ContactLine& line = attempt.line;
+  return task_.scene.back_obstruction(sweep_hand(task_.parts.gripper, attempt.X_CG, line.opening,
+                                                 line.width, task_.parts.options.approach,
+                                                 task_.attached_G));
+}
+
+bool HandTrials::may_succeed(const Attempt& attempt, bool and_palm) const {
+  return !is_unlikely(attempt) && !closing_obstruction(attempt) &&
+         !(and_palm && back_obstruction(attempt));
+}
+
 bool HandTrials::try_hand(const Attempt& attempt) {
   const ContactLine& line = attempt.line;
   const Gripper& gripper = task_.parts.gripper;
@@ -190,7 +214,7 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   if (resembles_accepted(line, attempt.X_CG.linear().col(2))) return true;
   const Eigen::Vector3d here_G = Eigen::Vector3d::Zero();
   if (out_of_reach(attempt.X_CG, Eigen::AlignedBox3d(here_G))) return false;
-  if (best_score(attempt, task_) < *task_.query.min_score) {
+  if (is_unlikely(attempt)) {
     leave_out_unlikely();
     return false;
   }
@@ -202,10 +226,9 @@ bool HandTrials::try_hand(const Attempt& attempt) {
     if (what) obstructed(refusal_of(*what));
     return what.has_value();
   };
-  const auto fingers =
-      common_fingers(gripper, attempt.X_CG, min_opening(line, task_.parts.options), line.width);
-  if (stopped_by(scene.closing_obstruction(fingers))) return false;
-  if (stopped_by(scene.back_obstruction(swept(line.opening)))) return false;
+  if (stopped_by(closing_obstruction(attempt)) || stopped_by(back_obstruction(attempt))) {
+    return false;
+  }
   if (attempt.may_bulge && meets_too_early(line, attempt.X_CG, gripper, scene.target,
                                            pad_margin(line.std, task_.parts.options))) {
     obstructed(Refusal::kTarget);

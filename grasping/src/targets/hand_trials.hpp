@@ -69,11 +69,17 @@ class HandTrials {
   /// is displaced from a line.
   bool palm_blocked(const ContactLine& line, const Eigen::Vector3d& approach_C,
                     const Eigen::AlignedBox3d& places_G);
+  /// Returns true if an attempt is likely enough to be tried, and nothing is in the way of its
+  /// fingers where they close, nor, if `and_palm`, of its palm. Nothing is counted.
+  bool may_succeed(const Attempt& attempt, bool and_palm) const;
   /// Returns true if a grasp like this was accepted, so that no similar one need be tried.
   bool try_hand(const Attempt& attempt);
   TargetGrasps take() && { return std::move(found_); }
 
  private:
+  bool is_unlikely(const Attempt& attempt) const;
+  std::optional<Obstruction> closing_obstruction(const Attempt& attempt) const;
+  std::optional<Obstruction> back_obstruction(const Attempt& attempt) const;
   void obstructed(Refusal why);
   std::optional<Refusal> unwanted(Grasp& grasp) const;
 

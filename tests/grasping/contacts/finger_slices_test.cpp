@@ -51,6 +51,7 @@ TEST_CASE("a slice holds the points that a finger covers near the highest own on
     // Other approaches with the same closing direction use what was sorted along that.
     for (int turn = 0; turn < round % 3; ++turn) {
       slices.cut(R);
+      slices.cut(R * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()).toRotationMatrix());
       R = R * Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitY()).toRotationMatrix();
     }
     const std::vector<FingerSlice>& cut = slices.cut(R);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "grasping/scenes.hpp"
@@ -64,6 +65,34 @@ TEST_CASE("a ball without a name is held across its width", "[contacts][points]"
     full |= line.width > 2.0 * ball.radius - 0.002 && hold.evidence.seen == 1.0;
   }
   CHECK(full);
+}
+
+TEST_CASE("a search that may go on finds the same holds, and one that may not fewer of them",
+          "[contacts][points]") {
+  SurfacePoints points;
+  add_ball({Eigen::Vector3d(0.0, 0.0, 0.7), 0.03}, &points);
+  const auto search = [&](const GoesOn& goes_on) {
+    return point_holds(points, all_own(points), franka_hand(), space_around({0.0, 0.0, 0.7}), {},
+                       kMaxFriction, goes_on);
+  };
+  const auto is_same = [](const Hold& a, const Hold& b) {
+    return a.line.centre_C == b.line.centre_C && a.approach_C == b.approach_C;
+  };
+  const std::vector<Hold> all = search({});
+  std::vector<std::size_t> asked;
+  const std::vector<Hold> also = search([&](int rounds, std::span<const Hold> found) {
+    CHECK(rounds == static_cast<int>(asked.size()) + 1);
+    asked.push_back(found.size());
+    return true;
+  });
+  REQUIRE(asked.size() == kHoldRounds - 1);
+  CHECK(std::equal(all.begin(), all.end(), also.begin(), also.end(), is_same));
+  const std::vector<Hold> some = search([](int, std::span<const Hold>) { return false; });
+  CHECK(some.size() == asked[0]);
+  CHECK(some.size() < all.size());
+  for (const Hold& hold : some) {
+    CHECK(std::any_of(all.begin(), all.end(), [&](const Hold& h) { return is_same(h, hold); }));
+  }
 }
 
 TEST_CASE("where nothing is the target's own, nothing is held", "[contacts][points]") {
