@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "base/rounding.hpp"
 #include "space/space_on_demand.hpp"
 
 namespace quadrille {
 namespace {
-
-// Overlaps shallower than this count as touching.
-constexpr double kTouchDepth = 1e-9;
 
 /// Merges cubes of one level into a row of cubes of the next, each from eight. The first two flags
 /// are set if any of the eight has them, the last if all have it. `fine` is the first of the four
@@ -27,76 +22,7 @@ void merge(const std::uint8_t* __restrict fine, std::size_t row, std::size_t lay
   }
 }
 
-// The view must have seen this much farther than a part of an occupied voxel, since points are
-// known no more accurately [m].
-constexpr double kPointNoise = 0.001;
-
 }  // namespace
-
-/// A box, prepared for the separating-axis test against cubes: the 15 axes, each with the box's own
-/// extent along it. Few tests get as far as the axes across two edges, so that these are prepared
-/// for the first of them.
-struct ObstacleMap::Query {
-  struct Edges {
-    Eigen::Matrix<double, 3, 9> axes;  // cross products of edges
-    Eigen::Matrix<double, 9, 1> reach, spread;
-
-    Edges(const Eigen::Matrix3d& R, const Eigen::Vector3d& half) {
-      for (int n = 0; n < 9; ++n) {
-        const Eigen::Vector3d axis = Eigen::Vector3d::Unit(n / 3).cross(R.col(n % 3));
-        axes.col(n) = axis;
-        reach[n] = (R.transpose() * axis).cwiseAbs().dot(half);
-        spread[n] = axis.cwiseAbs().sum();
-      }
-    }
-  };
-
-  Eigen::Vector3d p;            // centre of the box
-  Eigen::Vector3d reach;        // half extent of the box along the cube's axes
-  Eigen::Matrix3d R, absolute;  // axes of the box, as columns
-  Eigen::Vector3d half;
-  Eigen::Vector3d face_spread;
-  mutable std::optional<Edges> edges;
-  // Data for a quick test on the axes of the faces: the offsets from a cube's centre to the centres
-  // of its eighths, per half an eighth's edge; the box's own extent on each axis, and the extent of
-  // a cube of half size 1.
-  std::array<Offset, 8> to_eighth;
-  Offset quick_reach, quick_spread;
-
-  explicit Query(const OrientedBox& box)
-      : p(box.p_CB),
-        reach(box.reach()),
-        R(box.R_CB),
-        absolute(box.R_CB.cwiseAbs()),
-        half(box.half) {
-    face_spread = absolute.colwise().sum();
-    for (unsigned n = 0; n < 8; ++n) {
-      to_eighth[n] = on_faces(cube_corner(n));
-    }
-    quick_reach << reach.cast<float>().array() + kFloatRounding,
-        half.cast<float>().array() + kFloatRounding, 1.0f, 1.0f;
-    quick_spread << 1.0f, 1.0f, 1.0f, face_spread.cast<float>().array(), 0.0f, 0.0f;
-  }
-
-  Offset on_faces(const Eigen::Vector3d& t) const {
-    Offset offset;
-    offset << t.cast<float>().array(), (R.transpose() * t).cast<float>().array(), 0.0f, 0.0f;
-    return offset;
-  }
-
-  bool overlaps(const Eigen::Vector3d& centre, double h) const {
-    const Eigen::Vector3d t = centre - p;
-    const double g = h - kTouchDepth;
-    if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
-    if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
-      return false;
-    }
-    if (!edges) edges.emplace(R, half);
-    return ((edges->axes.transpose() * t).cwiseAbs().array() <
-            edges->reach.array() + g * edges->spread.array() + 1e-12)
-        .all();
-  }
-};
 
 void ObstacleMap::Block::refresh() {
   for (int n = 1; n < kLevels; ++n) {
@@ -227,99 +153,6 @@ ObstacleMap::Range ObstacleMap::voxels(const Eigen::AlignedBox3d& box) const {
     return {Eigen::Vector3i::Zero(), Eigen::Vector3i::Constant(-1)};
   }
   return {clip(box.min()), clip(box.max())};
-}
-
-/// A cube of a level of a block: its place among the cubes of its level there, and among those of
-/// the whole map.
-struct ObstacleMap::Cube {
-  const Block& block;
-  int level;
-  Eigen::Vector3i here, at;
-};
-
-Hit ObstacleMap::collides(const OrientedBox& box) const {
-  const Eigen::Vector3d reach = box.reach();
-  const Eigen::Vector3d top = corner_ + resolution_ * size_.cast<double>();
-  const bool outside = ((box.p_CB - reach).array() < corner_.array()).any() ||
-                       ((box.p_CB + reach).array() > top.array()).any();
-  if (outside && unknown_blocks_) return Hit::kUnknown;
-  if (blocks_.empty()) return Hit::kNone;
-  std::optional<Query> query;
-  const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
-  constexpr int kTop = kLevels - 1;
-  if ((high.array() < 0).any()) return Hit::kNone;
-  const double edge = resolution_ * kEdge;
-  for (int k = low.z() >> kTop; k <= high.z() >> kTop; ++k) {
-    for (int j = low.y() >> kTop; j <= high.y() >> kTop; ++j) {
-      for (int i = low.x() >> kTop; i <= high.x() >> kTop; ++i) {
-        const Eigen::Vector3i at(i, j, k);
-        const Block* block = block_of(kEdge * at);
-        if (block == nullptr || block->is_empty()) continue;
-        // Many boxes come near no block that holds anything.
-        if (!query) query.emplace(box);
-        const Eigen::Vector3d centre = corner_ + edge * (at.array().cast<double>() + 0.5).matrix();
-        const std::uint8_t hit = descend(*query, {*block, kTop, Eigen::Vector3i::Zero(), at},
-                                         query->on_faces(centre - query->p));
-        if (hit) return hit & kAnyOccupied ? Hit::kOccupied : Hit::kUnknown;
-      }
-    }
-  }
-  return Hit::kNone;
-}
-
-/// Returns the flags of the voxels that the box meets in a cube that holds something.
-std::uint8_t ObstacleMap::descend(const Query& query, const Cube& cube,
-                                  const Offset& offset) const {
-  const double h = 0.5 * resolution_ * (1 << cube.level);
-  const Offset gap = offset.abs() - query.quick_reach - static_cast<float>(h) * query.quick_spread;
-  if (gap.maxCoeff() > 0.0f) return 0;
-  const std::uint8_t flags =
-      cube.block.row(cube.level, cube.here.y(), cube.here.z())[cube.here.x()];
-  const int divided = kAnyUnknown | (divide_occupied_ ? kAnyOccupied : 0);
-  const bool refined = !views_.empty() && flags & divided;
-  if (cube.level == 0 || (flags & kAll && !refined)) {
-    const Eigen::Vector3d centre =
-        corner_ + 2.0 * h * (cube.at.cast<double>().array() + 0.5).matrix();
-    if (!query.overlaps(centre, h)) return 0;
-    if (!refined) return flags;
-    const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kPointNoise)
-                                          : enters_hidden(query, centre, h, 2, 0.0);
-    return hit ? flags : 0;
-  }
-  for (int n = 0; n < 8; ++n) {
-    const Eigen::Vector3i eighth = eighth_of_cube(n), here = 2 * cube.here + eighth;
-    if (cube.block.row(cube.level - 1, here.y(), here.z())[here.x()] == 0) continue;
-    const Offset there = offset + static_cast<float>(0.5 * h) * query.to_eighth[n];
-    const Cube part{cube.block, cube.level - 1, here, 2 * cube.at + eighth};
-    if (const std::uint8_t hit = descend(query, part, there)) return hit;
-  }
-  return 0;
-}
-
-/// Returns true if the box overlaps an eighth of the cube that no view, to within a margin, saw
-/// through. Such eighths are divided in turn, up to a depth. A view tells nothing about cubes
-/// smaller than the spacing of its rays.
-bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
-                                int depth, double margin) const {
-  const double h = 0.5 * half;
-  if (depth == 0) return true;
-  const auto tells = [&](const DepthView& view) {
-    return view.valid() && !(view.spacing(view.to_view(centre).z()) > 2.0 * h);
-  };
-  if (std::none_of(views_.begin(), views_.end(), tells)) return true;
-  const auto seen_through = [&](const Eigen::Vector3d& eighth) {
-    return std::any_of(views_.begin(), views_.end(), [&](const DepthView& view) {
-      return tells(view) && view.sees_past(eighth, h + margin);
-    });
-  };
-  for (unsigned n = 0; n < 8; ++n) {
-    const Eigen::Vector3d eighth = centre + h * cube_corner(n);
-    if (query.overlaps(eighth, h) && !seen_through(eighth) &&
-        enters_hidden(query, eighth, h, depth - 1, margin)) {
-      return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace quadrille
