@@ -16,6 +16,7 @@
 #include "targets/spread.hpp"
 #include "targets/target_grasps.hpp"
 #include "targets/target_scene.hpp"
+#include "targets/terms.hpp"
 
 namespace quadrille {
 namespace {
@@ -194,6 +195,10 @@ class QueryPlanner {
     }
     if (solid && grasps.size() < wanted && !cut) add(grasps_by_tips(further(*solid)));
     if (grasps.size() < wanted && !cut) {
+      if (!near_enough_for_points(target, parts_, *query_.min_score)) {
+        ++outcome.unlikely;
+        return cut;
+      }
       const TargetPoints points = points_about(target, parts_);
       if (all_too_wide(target, points, parts_.gripper)) return cut;
       const CollisionScene scene = with_obstacles(point_scene(target, points, parts_), target);

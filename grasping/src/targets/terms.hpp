@@ -18,7 +18,8 @@ double best_score(const Attempt& attempt, const TargetTask& task);
 /// @param std  standard deviation of half the target's width where it is held [m]
 double best_shape_score(double std, const TargetTask& task);
 
-/// Returns the score that a grasp between the target's points has at best.
-double best_point_score(const TargetTask& task);
+/// Returns false if the target is so far away that none of its holds by points would be likely
+/// enough.
+bool near_enough_for_points(const Target& target, const SceneParts& parts, double min_score);
 
 }  // namespace quadrille
