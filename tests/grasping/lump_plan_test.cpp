@@ -92,6 +92,21 @@ TEST_CASE("a grasp that is less likely to succeed than asked for is refused and 
   }
 }
 
+TEST_CASE("points too far away for a likely hold are not searched, and the plan says so",
+          "[plan][points]") {
+  Ball far = ball_on_table(0.0, 0.0, 0.03);
+  far.p_C *= 2.0 / far.p_C.norm();
+  PlanOptions options = with(UnknownPolicy::kFree);
+  options.min_score = 0.5;
+  const GraspPlan none = plan_lumps({far}, {lump_of(far)}, options);
+  CHECK(none.grasps.empty());
+  REQUIRE(none.targets.size() == 1);
+  CHECK(none.targets[0].refusals == RefusalCounts{{Refusal::kScore, 1}});
+  options.min_score = 0.0;
+  CHECK_FALSE(plan_lumps({far}, {lump_of(far)}, options).targets[0].refusals ==
+              RefusalCounts{{Refusal::kScore, 1}});
+}
+
 TEST_CASE("a neighbour is an obstacle to a hand that holds a body without a shape",
           "[plan][points]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.025), neighbour = ball_on_table(0.062, 0.0, 0.025);
