@@ -63,10 +63,17 @@ std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& u
   return directions;
 }
 
+/// An orientation of the hand, how promising it is, and the greatest width of its holds [m].
+struct Orientation {
+  Eigen::Vector3d closing_C, approach_C;
+  double prior, max_width;
+};
+
 struct Rated {
   Hold hold;
   int band;
   double prior;
+  std::size_t orientation;
 };
 
 // Holds are ranked by the friction that they need, in bands of this width. Holds that need less
@@ -93,8 +100,9 @@ class Search {
   }
 
   /// Adds the holds at all depths and places for one orientation of the hand.
-  void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior,
-           double max_width) {
+  /// @param number  of the orientation; it decides the order of equals
+  void add(const Orientation& orientation, std::size_t number) {
+    const Eigen::Vector3d &closing_C = orientation.closing_C, &approach_C = orientation.approach_C;
     Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
     const std::vector<Eigen::Vector3d> places_G = places(X_CG);
@@ -108,17 +116,25 @@ class Search {
       X_CG.translation() = X_CG.linear() * p_G;
       if (may_sink(X_CG.translation(), heights) && sinks(X_CG)) continue;
       const std::optional<PadMeeting> met =
-          finder.at(X_CG.translation(), limits_.friction, max_width);
+          finder.at(X_CG.translation(), limits_.friction, orientation.max_width);
       if (!met || met->line.width < gripper_.min_opening) continue;
-      const double value = prior - 2.0 * met->friction;
-      rated_.push_back({{met->line, approach_C, met->friction}, band(met->friction), value});
+      const double value = orientation.prior - 2.0 * met->friction;
+      rated_.push_back(
+          {{met->line, approach_C, met->friction}, band(met->friction), value, number});
     }
+  }
+
+  /// Returns true if one of the holds so far is promising.
+  bool is_promising() const {
+    return std::any_of(rated_.begin(), rated_.end(),
+                       [&](const Rated& rated) { return limits_.is_promising(rated.hold); });
   }
 
   /// Returns all holds, band by band, each band in the order of visit_in_passes().
   std::vector<Hold> ordered() {
     std::stable_sort(rated_.begin(), rated_.end(), [](const Rated& a, const Rated& b) {
-      return std::tuple(a.band, -a.prior) < std::tuple(b.band, -b.prior);
+      return std::tuple(a.band, -a.prior, a.orientation) <
+             std::tuple(b.band, -b.prior, b.orientation);
     });
     std::vector<Hold> holds;
     for (auto first = rated_.begin(), last = first; first != rated_.end(); first = last) {
@@ -234,7 +250,7 @@ class Search {
 std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
                             const TipLimits& limits) {
   if (body.profile == Body::Profile::kBox) return {};
-  Search search(body, gripper, limits);
+  std::vector<Orientation> orientations;
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {
     const double max_width = limits.max_width ? limits.max_width(d) : gripper.max_opening;
     if (max_width <= 0.0) continue;
@@ -242,7 +258,15 @@ std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const Appr
     for (const Eigen::Vector3d& a : around_closing(d, d.unitOrthogonal())) {
       if (!wanted(a, space) || !reachable(a, space)) continue;
       const double from = std::max(-a.dot(space.view_C), -a.dot(space.up_C));
-      search.add(d, a, across + 0.3 * from, max_width);
+      orientations.push_back({d, a, across + 0.3 * from, max_width});
+    }
+  }
+  Search search(body, gripper, limits);
+  constexpr std::size_t kRounds = 3;
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    if (round == 1 && limits.is_promising && !search.is_promising()) break;
+    for (std::size_t n = round; n < orientations.size(); n += kRounds) {
+      search.add(orientations[n], n);
     }
   }
   return search.ordered();

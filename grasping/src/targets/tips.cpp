@@ -24,6 +24,17 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
   return std::nullopt;
 }
 
+Attempt tip_attempt(const Hold& hold) {
+  return {hold.line, grasp_pose(hold.line, hold.approach_C, 0.0), GraspKind::kTip, hold.friction};
+}
+
+/// Returns true if a hold is likely enough to be tried. Of 139 targets in simulated scenes those on
+/// which a third of the orientations gave no such hold took six tenths of the work, and none of
+/// them was among the 9 that were held by the tips.
+bool is_worth_a_trial(const Hold& hold, const TargetTask& task) {
+  return !unusable(hold.line, task) && best_score(tip_attempt(hold), task) >= *task.query.min_score;
+}
+
 /// Returns the greatest distance between the contacts of a hold with this closing direction [m]; 0
 /// if the target's width along it is so uncertain that no hold would score enough.
 double widest_hold(const Eigen::Vector3d& closing_C, const TargetTask& task, HandTrials& trials) {
@@ -40,12 +51,14 @@ double widest_hold(const Eigen::Vector3d& closing_C, const TargetTask& task, Han
 
 TargetGrasps grasps_by_tips(const TargetTask& task) {
   HandTrials trials(task, kMaxChecks, kUsualGrasps);
-  const TipLimits limits{task.scene, task.parts.options.approach,
+  const TipLimits limits{task.scene,
+                         task.parts.options.approach,
                          kFrictionShare * task.parts.options.friction,
                          [&](const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G) {
                            return trials.out_of_reach(X_CG, places_G);
                          },
-                         [&](const Eigen::Vector3d& d) { return widest_hold(d, task, trials); }};
+                         [&](const Eigen::Vector3d& d) { return widest_hold(d, task, trials); },
+                         [&](const Hold& hold) { return is_worth_a_trial(hold, task); }};
   for (const Hold& hold :
        tip_holds(task.target.body, task.parts.gripper, approach_space(task), limits)) {
     if (trials.done()) break;
@@ -53,8 +66,7 @@ TargetGrasps grasps_by_tips(const TargetTask& task) {
       trials.refuse(*why);
       continue;
     }
-    const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
-    trials.try_hand({hold.line, X_CG, GraspKind::kTip, hold.friction});
+    trials.try_hand(tip_attempt(hold));
   }
   return std::move(trials).take();
 }

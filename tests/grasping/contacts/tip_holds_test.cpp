@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -68,6 +69,28 @@ PointCloud render_on_table(const Body& body) {
 }
 
 }  // namespace
+
+TEST_CASE("a search by the tips ends early only if nothing that it found is promising",
+          "[contacts][tips]") {
+  const Body body = make_body(flat_ellipsoid()).value();
+  const CollisionScene scene = only({});
+  const Gripper hand = franka_hand();
+  const auto search = [&](const std::function<bool(const Hold&)>& is_promising) {
+    TipLimits limits{scene, 0.1, 0.4};
+    limits.is_promising = is_promising;
+    return tip_holds(body, hand, space_above(body), limits);
+  };
+  const auto is_same = [](const Hold& a, const Hold& b) {
+    return a.line.centre_C == b.line.centre_C && a.approach_C == b.approach_C;
+  };
+  const std::vector<Hold> all = search({});
+  const std::vector<Hold> also = search([](const Hold&) { return true; });
+  const std::vector<Hold> some = search([](const Hold&) { return false; });
+  REQUIRE(all.size() > 100);
+  CHECK(std::equal(all.begin(), all.end(), also.begin(), also.end(), is_same));
+  CHECK_FALSE(some.empty());
+  CHECK(some.size() < all.size() / 2);
+}
 
 TEST_CASE("holds by the tips touch the body, need no more friction than asked for, and repeat",
           "[tips]") {
