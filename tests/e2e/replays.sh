@@ -54,7 +54,7 @@ check_plan() {
 
 # Results that a log holds already are not mixed with new ones.
 check_mixed_results() {
-  local held="on QUADRICS (6; --out-channel), BOXES (6; --boxes-channel), BODIES (6; --bodies-channel), QUADRILLE_DETECTOR_STATUS"
+  local held="on QUADRICS (6; --out-channel), BOXES (6; --boxes-channel), BODIES (6; --bodies-channel), BODY_TRACKS (6; --body-tracks-channel), QUADRILLE_DETECTOR_STATUS"
   cp "$work/grasps.lcm" "$work/kept.lcm"
   expect_exit 1 "$held" "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/kept.lcm" --copy-input
   cmp "$work/grasps.lcm" "$work/kept.lcm" || fail "a refused replay has touched its output"

@@ -183,6 +183,39 @@ TEST_CASE("a query that nothing meets is told why", "[query]") {
   CHECK(with_large.plan(query).warnings.at(0) == "target 9 cannot be held: width");
 }
 
+TEST_CASE("the track of a body asks for all that is part of it", "[query][bodies]") {
+  SceneBody stack, ball, lump;
+  stack.id = 1;
+  stack.kind = BodyKind::kRevolution;
+  stack.parts = {1, 2};
+  stack.track = 50;
+  ball.id = 3;
+  ball.parts = {3};
+  ball.track = 51;
+  lump.id = 7;
+  lump.kind = BodyKind::kLump;
+  lump.X_CB = scene().X_CW * test::translation(0.0, 0.25, 0.02);
+  lump.size = {0.03, 0.03, 0.04};
+  lump.track = 52;
+  const GraspScene made(scene().cloud, scene().detections, franka_hand(), {}, {}, {},
+                        {stack, ball, lump});
+  GraspQuery query;
+  query.tracks = {50};
+  CHECK(targets_of(made.plan(query)) == std::set{1, 2});
+  query.tracks = {51, 31};
+  const GraspPlan both = made.plan(query);
+  CHECK(targets_of(both) == std::set{1, 3});
+  // A quadric's grasp has the quadric's own track.
+  for (const Grasp& grasp : both.grasps) CHECK(grasp.track == 30 + grasp.target);
+  query.tracks = {52};
+  const GraspPlan none = made.plan(query);
+  REQUIRE(none.targets.size() == 1);
+  CHECK(none.targets[0].target == 7);
+  query.tracks = {2};
+  CHECK(made.plan(query).warnings.back() ==
+        "no target of that track; there are the tracks: 31 32 33 34 50 51 52");
+}
+
 TEST_CASE("who asks for tracks where nothing has one is told so", "[query]") {
   std::vector<Detection> detections = scene().detections;
   for (Detection& detection : detections) detection.track = 0;

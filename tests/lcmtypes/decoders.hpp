@@ -52,6 +52,8 @@ inline std::vector<Decoder> all_decoders() {
        [](Bytes b) { return refusal_in(bus::decode_quadrics(b)); }, 16},
       {"boxes", boxes, [](Bytes b) { return refusal_in(bus::decode_boxes(b)); }, 16},
       {"bodies", bodies, [](Bytes b) { return refusal_in(bus::decode_bodies(b)); }, 16},
+      {"tracks of bodies", encode(make_body_tracks()),
+       [](Bytes b) { return refusal_in(bus::decode_body_tracks(b)); }, 32},
       {"grasps", encode(make_grasps()), [](Bytes b) { return refusal_in(bus::decode_grasps(b)); },
        16},
       {"request", encode(make_request()),

@@ -6,6 +6,7 @@
 
 #include "cloud_samples.hpp"
 #include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -87,6 +88,13 @@ inline std::vector<SceneBody> make_bodies() {
   lump.std.setConstant(std::numeric_limits<double>::infinity());
   lump.points = 77;
   return {box, lump};
+}
+
+/// The tracks of these bodies.
+inline body_tracks_t make_body_tracks() {
+  std::vector<SceneBody> bodies = make_bodies();
+  for (SceneBody& body : bodies) body.track = body.id + 10;
+  return bus::tracks_message(make_cloud(), bodies);
 }
 
 }  // namespace quadrille::test

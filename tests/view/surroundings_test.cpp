@@ -223,9 +223,9 @@ TEST_CASE("all channels on which messages come can get a prefix", "[view][live]"
   view::MessageKeeper keeper(channels);
   keeper.watch();
   const std::vector<std::byte> bytes(10);
-  for (const char* name :
-       {"R2/POINT_CLOUD", "R2/QUADRICS", "R2/BOXES", "R2/BODIES", "R2/GRASPS", "R2/OCCUPANCY",
-        "R2/OBSTACLES", "R2/QUADRILLE_DETECTOR_STATUS", "R2/QUADRILLE_PLANNER_STATUS"}) {
+  for (const char* name : {"R2/POINT_CLOUD", "R2/QUADRICS", "R2/BOXES", "R2/BODIES",
+                           "R2/BODY_TRACKS", "R2/GRASPS", "R2/OCCUPANCY", "R2/OBSTACLES",
+                           "R2/QUADRILLE_DETECTOR_STATUS", "R2/QUADRILLE_PLANNER_STATUS"}) {
     keeper.take(name, bytes);
   }
   keeper.take("R2/ROBOT", bus::encode(robot_in("camera")));

@@ -129,7 +129,7 @@ void bind_tracker(py::module_& module) {
       .def(
           "update",
           [](Tracker& tracker, Found& result, std::int64_t utime, const Eigen::Matrix4d& X_WC) {
-            tracker.update(utime, pose_of(X_WC, "X_WC") * result.X_CK, &result.in_K.detections);
+            tracker.update(utime, pose_of(X_WC, "X_WC") * result.X_CK, &result.in_K);
           },
           py::arg("result"), py::arg("utime"), py::arg("X_WC") = at_rest);
 }

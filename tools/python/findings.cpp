@@ -185,6 +185,9 @@ void bind_body(py::module_& module) {
       .def_readonly("points", &SceneBody::points, "Number of cloud points on it.")
       .def_readonly("views", &SceneBody::views, "Number of views that show it.")
       .def_readonly("unseen", &SceneBody::unseen, "Time since the newest of them [s].")
+      .def_readonly("track", &SceneBody::track,
+                    "Number that it keeps in all results that a Tracker saw, whatever its kind and "
+                    "parts are there; 0 if none did.")
       .def("__repr__", [](const SceneBody& body) {
         return "<Body " + std::to_string(body.id) + " " + std::string(to_string(body.kind)) + ">";
       });

@@ -93,7 +93,7 @@ void run(const DetectArguments& arguments) {
                                            : detect_views(views.clouds(), setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     // The tracks of a numbered cloud begin with the clouds before it.
-    tracking.add_to(input, path, &result.detections);
+    tracking.add_to(input, path, &result);
     if (!input.asked) return;
     std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
     std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });

@@ -175,7 +175,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   DetectionResult found = before->scene.lasts()
                               ? before->scene.detect(input, path, known.robot, &known.views)
                               : detect_views(views.clouds(), setup.detector.options);
-  before->tracking.add_to(input, path, &found.detections);
+  before->tracking.add_to(input, path, &found);
   if (!input.asked) return;
   const GraspQuery query =
       moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());

@@ -35,8 +35,16 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
       input.points_read, result.points_finite, result.points_used, input.read_ms, result.total_ms);
   const bool nothing = result.detections.empty() && result.boxes.empty() && result.bodies.empty();
   if (nothing) return text + paint.bad("  no quadrics found") + "\n";
-  const bool tracked = std::any_of(result.detections.begin(), result.detections.end(),
-                                   [](const Detection& detection) { return detection.track > 0; });
+  const auto has_track = [](const auto& thing) { return thing.track > 0; };
+  const bool tracked = std::any_of(result.detections.begin(), result.detections.end(), has_track) ||
+                       std::any_of(result.bodies.begin(), result.bodies.end(), has_track);
+  // The cell of a box or lump, whose track is that of its body.
+  const auto track_of_body = [&](int id) {
+    const auto body = std::find_if(result.bodies.begin(), result.bodies.end(),
+                                   [id](const SceneBody& b) { return b.id == id; });
+    if (!tracked) return std::string();
+    return body == result.bodies.end() ? std::string(7, ' ') : fmt::format("{:>5}  ", body->track);
+  };
   text += paint.head(fmt::format("  {:>3}  {}{:<22} {:>5} {:>8} {:>7} {:>5}  {:^23}  {}", "id",
                                  tracked ? "track  " : "", "type", "score", "inliers", "rms/mm",
                                  "seen", "position/m", "dimensions")) +
@@ -52,14 +60,14 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   for (const Box& box : result.boxes) {
     const Eigen::Vector3d p = box.X_CB.translation();
     text += fmt::format("  {:>3}  {}{:<22} {:>5.2f} {:>22}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n",
-                        box.id, tracked ? "       " : "", "box", box.score, "", p.x(), p.y(), p.z(),
+                        box.id, track_of_body(box.id), "box", box.score, "", p.x(), p.y(), p.z(),
                         io::describe_box(box));
   }
   for (const SceneBody& body : result.bodies) {
     if (body.kind != BodyKind::kLump) continue;
     const Eigen::Vector3d p = body.X_CB.translation();
     text += fmt::format("  {:>3}  {}{:<28} {:>8} {:>13}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n", body.id,
-                        tracked ? "       " : "", "lump", body.points, "", p.x(), p.y(), p.z(),
+                        track_of_body(body.id), "lump", body.points, "", p.x(), p.y(), p.z(),
                         io::describe_lump(body));
   }
   return text;

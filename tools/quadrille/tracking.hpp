@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "quadrille/detector/tracker.hpp"
 #include "quadrille/inputs.hpp"
@@ -17,7 +16,7 @@ class Tracking {
   Tracking(const TrackOptions& options, bool files_too)
       : options_(options), files_too_(files_too) {}
 
-  void add_to(const InputCloud& input, const std::string& path, std::vector<Detection>* detections);
+  void add_to(const InputCloud& input, const std::string& path, DetectionResult* result);
 
  private:
   TrackOptions options_;

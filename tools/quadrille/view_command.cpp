@@ -155,6 +155,7 @@ void check_channels(const view::LiveChannels& channels) {
                   {"--quadrics-channel", channels.quadrics},
                   {"--boxes-channel", channels.boxes},
                   {"--bodies-channel", channels.bodies},
+                  {"--body-tracks-channel", channels.body_tracks},
                   {"--grasps-channel", channels.grasps},
                   {"--occupancy-channel", channels.occupancy},
                   {"--robot-channel", channels.robot},
@@ -249,6 +250,7 @@ void add_view_command(CLI::App& app) {
   add_channel_option(*command, "--quadrics-channel", channels.quadrics, "quadrics");
   add_channel_option(*command, "--boxes-channel", channels.boxes, "boxes");
   add_channel_option(*command, "--bodies-channel", channels.bodies, "bodies");
+  add_channel_option(*command, "--body-tracks-channel", channels.body_tracks, "tracks of bodies");
   add_channel_option(*command, "--grasps-channel", channels.grasps, "grasps");
   add_channel_option(*command, "--occupancy-channel", channels.occupancy, "occupancy");
   add_channel_option(*command, "--robot-channel", channels.robot, "robot's own shapes");

@@ -65,6 +65,7 @@ void choose_scene_targets(const ViewClouds& views, const std::vector<Detection>&
   std::vector<Target> unshaped =
       choose_unshaped(bodies, parts->targets, detections, parts->options);
   std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts->targets));
+  add_body_tracks(bodies, &parts->targets);
   for (Target& target : parts->targets) {
     target.view = best_view(target, views, cloud);
     if (!known.support) continue;

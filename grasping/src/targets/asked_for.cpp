@@ -34,11 +34,18 @@ std::string list_ids(const std::vector<const Target*>& targets) {
   return text.str();
 }
 
-/// Lists the tracks of the targets that have one, each once.
+/// Returns true if one of the tracks is that of the target or of its body, or if any may be.
+bool has_asked_track(const GraspQuery& query, const Target& target) {
+  return allows(query.tracks, target.track) || allows(query.tracks, target.body_track);
+}
+
+/// Lists the tracks of the targets that have one and of their bodies, each once.
 std::string list_tracks(const std::vector<const Target*>& targets) {
   std::set<int> tracks;
   for (const Target* target : targets) {
-    if (target->track > 0) tracks.insert(target->track);
+    for (const int track : {target->track, target->body_track}) {
+      if (track > 0) tracks.insert(track);
+    }
   }
   if (tracks.empty()) return "none of the targets has a track";
   std::ostringstream text;
@@ -57,8 +64,7 @@ struct Condition {
 
 const Condition kConditions[] = {
     {"of that id", [](const GraspQuery& q, const Target& t) { return allows(q.ids, t.id); }},
-    {"of that track",
-     [](const GraspQuery& q, const Target& t) { return allows(q.tracks, t.track); }, list_tracks},
+    {"of that track", has_asked_track, list_tracks},
     {"of that type", [](const GraspQuery& q, const Target& t) { return allows(q.types, t.type); }},
     {"in that region",
      [](const GraspQuery& q, const Target& t) {

@@ -36,6 +36,11 @@ bool is_wanted_type(QuadricType type, const PlanOptions& options) {
 
 bool is_face(int id, const Box& box) { return contains(box.faces, id); }
 
+/// Returns true if the target is the body or one of its parts.
+bool is_of(const Target& target, const SceneBody& body) {
+  return target.id == body.id || contains(body.parts, target.id);
+}
+
 /// Bodies may come from messages, so their fields are checked.
 bool is_sound(const SceneBody& body) {
   return body.size.allFinite() && body.size.minCoeff() >= 0.0 && body.X_CB.matrix().allFinite() &&
@@ -157,9 +162,7 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
                                     const PlanOptions& options) {
   std::vector<Target> unshaped;
   for (const SceneBody& body : bodies) {
-    const auto is_body = [&](const Target& target) {
-      return target.id == body.id || contains(body.parts, target.id);
-    };
+    const auto is_body = [&](const Target& target) { return is_of(target, body); };
     if (std::any_of(targets.begin(), targets.end(), is_body)) continue;
     if (!is_sound(body) || body.size.maxCoeff() > kMaxTableware) continue;
     std::vector<Detection> others;
@@ -174,6 +177,15 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
     target.whole = body.kind == BodyKind::kLump;
   }
   return unshaped;
+}
+
+void add_body_tracks(const std::vector<SceneBody>& bodies, std::vector<Target>* targets) {
+  for (Target& target : *targets) {
+    for (const SceneBody& body : bodies) {
+      if (is_of(target, body)) target.body_track = body.track;
+    }
+    if (target.track == 0) target.track = target.body_track;
+  }
 }
 
 double hand_reach(const Gripper& gripper, double approach) {

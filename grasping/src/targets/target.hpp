@@ -29,9 +29,12 @@ bool is_wanted(const Detection& detection, const PlanOptions& options);
 /// A detection or box that could be grasped, with all that planning its grasps needs.
 struct Target {
   int id = 0;
-  /// Type and track of the detection; a box is a plane without track.
+  /// Type of the detection; a box is a plane.
   QuadricType type = QuadricType::kPlane;
+  /// Track of the detection, or of the body if the target is no detection; 0 if it has none.
   int track = 0;
+  /// Track of the body that the target is or is a part of; 0 if it has none.
+  int body_track = 0;
   double confidence = 1.0;
   Body body;
   /// Standard deviation of the points about the surface [m].
@@ -86,6 +89,9 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
                                     const std::vector<Target>& targets,
                                     const std::vector<Detection>& detections,
                                     const PlanOptions& options);
+
+/// Gives targets the tracks of their bodies.
+void add_body_tracks(const std::vector<SceneBody>& bodies, std::vector<Target>* targets);
 
 /// Returns how far the hand reaches from a target's surface, including its approach [m].
 double hand_reach(const Gripper& gripper, double approach);

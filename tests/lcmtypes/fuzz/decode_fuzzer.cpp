@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
@@ -23,15 +24,16 @@ using namespace quadrille;
 
 /// The first byte chooses a fingerprint, so that the fuzzer need not guess one.
 std::vector<std::byte> make_message(const std::uint8_t* data, std::size_t size) {
-  const std::array<std::int64_t, 9> fingerprints = {drake::lcmt_point_cloud::getHash(),
-                                                    bot_core::pointcloud2_t::getHash(),
-                                                    bot_core::pointcloud_t::getHash(),
-                                                    quadrics_t::getHash(),
-                                                    bot_core::pose_t::getHash(),
-                                                    boxes_t::getHash(),
-                                                    grasps_t::getHash(),
-                                                    grasp_request_t::getHash(),
-                                                    bodies_t::getHash()};
+  const std::array<std::int64_t, 10> fingerprints = {drake::lcmt_point_cloud::getHash(),
+                                                     bot_core::pointcloud2_t::getHash(),
+                                                     bot_core::pointcloud_t::getHash(),
+                                                     quadrics_t::getHash(),
+                                                     bot_core::pose_t::getHash(),
+                                                     boxes_t::getHash(),
+                                                     grasps_t::getHash(),
+                                                     grasp_request_t::getHash(),
+                                                     bodies_t::getHash(),
+                                                     body_tracks_t::getHash()};
   auto fingerprint = static_cast<std::uint64_t>(fingerprints[data[0] % fingerprints.size()]);
   std::vector<std::byte> message(8 + size - 1);
   for (int i = 7; i >= 0; --i, fingerprint >>= 8) {
@@ -73,6 +75,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (const auto* accepted = std::get_if<bus::BodiesMessage>(&bodies)) {
     for (const SceneBody& body : accepted->bodies) {
       if (!body.X_CB.matrix().allFinite()) std::abort();
+    }
+  }
+  const auto tracks = bus::decode_body_tracks(message);
+  if (const auto* accepted = std::get_if<bus::BodyTracksMessage>(&tracks)) {
+    for (const auto& [id, track] : accepted->track_of) {
+      if (track < 1) std::abort();
     }
   }
   // What is accepted is written as it came.

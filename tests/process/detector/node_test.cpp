@@ -9,6 +9,7 @@
 #include "process/detector/command_line.hpp"
 #include "process/encode_pose.hpp"
 #include "process/logged_lines.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"
@@ -25,6 +26,7 @@ using test::encode_pose;
 struct Process {
   explicit Process(const DetectorSettings& settings)
       : node(settings, [this](const std::string& channel, std::span<const std::byte> bytes) {
+          last[channel].assign(bytes.begin(), bytes.end());
           if (channel == "QUADRICS") published.emplace_back(bytes.begin(), bytes.end());
           if (channel == "QUADRILLE_DETECTOR_STATUS") {
             status.decode(bytes.data(), 0, static_cast<int>(bytes.size()));
@@ -59,7 +61,19 @@ struct Process {
     return text;
   }
 
+  /// The tracks of the bodies of the last cloud.
+  std::set<int> body_tracks() const {
+    std::set<int> found;
+    const auto decoded = bus::decode_body_tracks(last.at("BODY_TRACKS"));
+    for (const auto& [id, track] : std::get<bus::BodyTracksMessage>(decoded).track_of) {
+      found.insert(track);
+    }
+    return found;
+  }
+
   std::vector<Bytes> published;
+  /// The last message of each channel.
+  std::map<std::string, Bytes> last;
   detector_status_t status{};
   DetectorNode node;
 };
@@ -123,6 +137,20 @@ TEST_CASE("with its poses, a camera that jumps about keeps the tracks of what is
   }
   CHECK(process.node.find_oddities().empty());
   CHECK(lost);
+}
+
+TEST_CASE("with its poses, a camera that jumps about keeps the tracks of bodies",
+          "[process][track][bodies][pose]") {
+  Process process(settings_with_poses());
+  for (int frame = 0; frame < 5; ++frame) {
+    const std::int64_t utime = 100000 * (frame + 1);
+    process.take("CAMERA", encode_pose(utime - 1, camera_at(frame)));
+    process.take("POINT_CLOUD", encode_view(utime, camera_at(frame)));
+    process.take("CAMERA", encode_pose(utime + 1, camera_at(frame)));
+    // The ball is the only body. The ball's surface and the wall have the first two numbers.
+    CHECK(process.tracks() == std::set<int>{1, 2});
+    CHECK(process.body_tracks() == std::set<int>{3});
+  }
 }
 
 TEST_CASE("clouds before the first pose are not tracked, and the log's end says so",

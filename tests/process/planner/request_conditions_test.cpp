@@ -7,6 +7,7 @@
 
 #include "process/planner/asked_planner.hpp"
 #include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 
 namespace quadrille {
 namespace {
@@ -60,6 +61,29 @@ TEST_CASE("a request may ask what would give grasps to targets that have none",
   CHECK(followed.remedies.empty());
   CHECK(followed.num_grasps == first.num_grasps);
   CHECK(followed.grasps.front().score == Approx(first.score));
+}
+
+TEST_CASE("a request may ask for a body by its track", "[process][request][track]") {
+  Asked asked("--on-request");
+  std::vector<SceneBody> bodies = asked_found().bodies;
+  for (SceneBody& body : bodies) body.track = 100 + body.id;
+  const bus::CloudMessage cloud{1000, 0, asked_cloud()};
+  asked.give("BODIES", bus::encode(bus::to_message(cloud, bodies)));
+  asked.give("BODY_TRACKS", bus::encode(bus::tracks_message(cloud, bodies)));
+  asked.show(1000);
+  const auto holds_sphere = [](const SceneBody& body) {
+    return std::find(body.parts.begin(), body.parts.end(), a_sphere().id) != body.parts.end();
+  };
+  const auto ball = std::find_if(bodies.begin(), bodies.end(), holds_sphere);
+  REQUIRE(ball != bodies.end());
+  grasp_request_t request = request_of(1);
+  request.tracks = {ball->track};
+  request.num_tracks = 1;
+  CHECK(targets_of(asked.ask(request)) == std::set{a_sphere().id});
+  // Without their message bodies have no track.
+  asked.give("BODIES", bus::encode(bus::to_message({2000, 0, asked_cloud()}, bodies)));
+  asked.show(2000);
+  CHECK(asked.ask(request).grasps.empty());
 }
 
 TEST_CASE("a request may ask for views that would help bodies without a sure grasp",

@@ -77,17 +77,19 @@ Json to_json(const std::vector<Box>& boxes) {
 }
 
 Json to_json(const SceneBody& body) {
-  return {{"id", body.id},
-          {"kind", to_string(body.kind)},
-          {"parts", body.parts},
-          {"pose", to_json(body.X_CB)},
-          {"size", array_of(body.size)},
-          {"std", array_of(body.std)},
-          {"seen", body.seen},
-          {"standing_on", body.standing_on ? Json(*body.standing_on) : Json()},
-          {"points", body.points},
-          {"views", body.views},
-          {"unseen", body.unseen}};
+  Json json = {{"id", body.id},
+               {"kind", to_string(body.kind)},
+               {"parts", body.parts},
+               {"pose", to_json(body.X_CB)},
+               {"size", array_of(body.size)},
+               {"std", array_of(body.std)},
+               {"seen", body.seen},
+               {"standing_on", body.standing_on ? Json(*body.standing_on) : Json()},
+               {"points", body.points},
+               {"views", body.views},
+               {"unseen", body.unseen}};
+  if (body.track > 0) json["track"] = body.track;
+  return json;
 }
 
 Json to_json(const std::vector<SceneBody>& bodies) {

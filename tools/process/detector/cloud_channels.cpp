@@ -54,6 +54,7 @@ std::optional<bus::Rejection> CloudChannels::refuse(const std::string& channel, 
     bus::check_channel(results_channel(settings_.out_channel, channel));
     bus::check_channel(results_channel(settings_.boxes_channel, channel));
     bus::check_channel(results_channel(settings_.bodies_channel, channel));
+    bus::check_channel(results_channel(settings_.body_tracks_channel, channel));
   } catch (const std::invalid_argument& error) {
     return bus::Rejection{bus::RejectReason::kBadChannel, error.what()};
   }

@@ -12,6 +12,7 @@
 #include "process/runtime/status/process_info.hpp"
 #include "process/runtime/watch/other_senders.hpp"
 #include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -232,7 +233,7 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
   const bool lasts = settings_.remembers() && pose.X_WK && !forgotten_.is_after(cloud.utime);
   DetectionResult result =
       lasts ? detect_lasting(cloud, cloud_K, *pose.X_WK) : detect(cloud_K, settings_.detector);
-  if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result.detections);
+  if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result);
   result.detections = moved(std::move(result.detections), placement.X_RK);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
   result.bodies = moved(std::move(result.bodies), placement.X_RK);
@@ -249,11 +250,11 @@ RobotShapes DetectorNode::robot_at(const bus::CloudMessage& cloud, const Placeme
   return robot_.at(cloud.utime, known, cloud.cloud.frame);
 }
 
-/// Assigns tracks to the detections of a cloud.
+/// Assigns tracks to the surfaces and bodies of a cloud.
 void DetectorNode::track(const std::string& channel, const bus::CloudMessage& cloud,
-                         const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections) {
+                         const Eigen::Isometry3d& X_WK, DetectionResult* result) {
   const std::int64_t before = trackers_.given_up();
-  trackers_.of(channel, cloud.cloud.frame).update(cloud.utime, X_WK, detections);
+  trackers_.of(channel, cloud.cloud.frame).update(cloud.utime, X_WK, result);
   if (trackers_.given_up() == before) return;
   trackers_log_.warning(
       fmt::format("{}: the clouds have more than {} frames, and tracks of the oldest begin anew; "
@@ -300,17 +301,22 @@ void DetectorNode::publish_quadrics(const std::string& channel, const bus::Cloud
   detections_ += static_cast<std::int64_t>(result.detections.size());
 }
 
-/// Publishes the boxes and the bodies, of which boxes are a part.
+/// Publishes the boxes, the bodies, of which boxes are a part, and their tracks.
 void DetectorNode::publish_bodies(const std::string& channel, const bus::CloudMessage& cloud,
                                   const std::string& frame, const DetectionResult& result) {
   boxes_t boxes = bus::to_message(cloud, result.boxes);
   bodies_t bodies = bus::to_message(cloud, result.bodies);
-  boxes.frame = bodies.frame = frame;
-  const auto box_bytes = bus::encode(boxes), body_bytes = bus::encode(bodies);
-  publish_(cloud_channels_.results_channel(settings_.boxes_channel, channel), box_bytes);
-  publish_(cloud_channels_.results_channel(settings_.bodies_channel, channel), body_bytes);
-  const std::lock_guard lock(mutex_);
-  counts_.published_bytes += static_cast<std::int64_t>(box_bytes.size() + body_bytes.size());
+  body_tracks_t tracks = bus::tracks_message(cloud, result.bodies);
+  boxes.frame = bodies.frame = tracks.frame = frame;
+  const std::pair<const std::string&, std::vector<std::byte>> messages[] = {
+      {settings_.boxes_channel, bus::encode(boxes)},
+      {settings_.bodies_channel, bus::encode(bodies)},
+      {settings_.body_tracks_channel, bus::encode(tracks)}};
+  for (const auto& [results, bytes] : messages) {
+    publish_(cloud_channels_.results_channel(results, channel), bytes);
+    const std::lock_guard lock(mutex_);
+    counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
+  }
 }
 
 }  // namespace quadrille

@@ -50,7 +50,7 @@ class DetectorNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_view(int camera, std::span<const std::byte> bytes);
   void track(const std::string& channel, const bus::CloudMessage& cloud,
-             const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
+             const Eigen::Isometry3d& X_WK, DetectionResult* result);
   std::optional<Job> receive_forget(const std::string& channel, std::span<const std::byte> bytes);
   void forget(const forget_t& message);
   RobotShapes robot_at(const bus::CloudMessage& cloud, const Placement& placement);

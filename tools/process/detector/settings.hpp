@@ -24,6 +24,7 @@ struct DetectorSettings {
   std::string out_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";
   std::string bodies_channel = "BODIES";
+  std::string body_tracks_channel = "BODY_TRACKS";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
   std::string robot_channel = "ROBOT";
   std::string forget_channel = "FORGET";
@@ -62,6 +63,7 @@ struct DetectorSettings {
     visit(Way::kOut, "--out-channel", settings.out_channel, "quadrics");
     visit(Way::kOut, "--boxes-channel", settings.boxes_channel, "boxes");
     visit(Way::kOut, "--bodies-channel", settings.bodies_channel, "bodies");
+    visit(Way::kOut, "--body-tracks-channel", settings.body_tracks_channel, "tracks of bodies");
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
     visit(Way::kIn, "--robot-channel", settings.robot_channel,
           "the robot's own shapes (quadrille.robot_t)");

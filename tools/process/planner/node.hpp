@@ -28,6 +28,7 @@
 #include "process/runtime/viewer.hpp"
 #include "process/runtime/watch/sequence_gaps.hpp"
 #include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/request_message.hpp"
 #include "quadrille/bus/scene_messages.hpp"
@@ -56,6 +57,7 @@ class PlannerNode : public Node {
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
   void receive_boxes(const std::string& channel, std::span<const std::byte> bytes);
   void receive_bodies(const std::string& channel, std::span<const std::byte> bytes);
+  void receive_body_tracks(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_view(int camera, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics, const OtherThings& others);
@@ -84,6 +86,7 @@ class PlannerNode : public Node {
   Pairing pairing_;
   RecentMessages<bus::BoxesMessage> boxes_;
   RecentMessages<bus::BodiesMessage> bodies_;
+  RecentMessages<bus::BodyTracksMessage> body_tracks_;
   RecentPairs recent_;
   planner_status_t counts_{};
   std::int64_t grasps_ = 0;

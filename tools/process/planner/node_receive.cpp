@@ -25,6 +25,10 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
     receive_bodies(channel, bytes);
     return std::nullopt;
   }
+  if (channel == settings_.body_tracks_channel) {
+    receive_body_tracks(channel, bytes);
+    return std::nullopt;
+  }
   if (channel == settings_.request_channel) return receive_request(channel, bytes);
   if (channel == settings_.forget_channel) return receive_forget(channel, bytes);
   if (channel == settings_.pose_channel) {
@@ -81,6 +85,7 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
   OtherThings others;
   if (auto boxes = boxes_.take(*quadrics)) others.boxes = std::move(boxes->boxes);
   if (auto bodies = bodies_.take(*quadrics)) others.bodies = std::move(bodies->bodies);
+  if (const auto tracks = body_tracks_.take(*quadrics)) bus::set_tracks(*tracks, &others.bodies);
   const bool waits = posed_clouds_.follow(
       quadrics->utime,
       [this, quadrics, others](const CameraPose&) { return pair_quadrics(*quadrics, others); });
@@ -113,6 +118,15 @@ void PlannerNode::receive_bodies(const std::string& channel, std::span<const std
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   auto bodies = refused_bodies_.accept(channel, std::move(decoded));
   if (bodies) bodies_.add(*std::move(bodies));
+}
+
+void PlannerNode::receive_body_tracks(const std::string& channel,
+                                      std::span<const std::byte> bytes) {
+  auto decoded = bus::decode_body_tracks(bytes);
+  const std::lock_guard lock(mutex_);
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  auto tracks = refused_bodies_.accept(channel, std::move(decoded));
+  if (tracks) body_tracks_.add(*std::move(tracks));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,

@@ -25,6 +25,7 @@ struct PlannerSettings {
   std::string quadrics_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";
   std::string bodies_channel = "BODIES";
+  std::string body_tracks_channel = "BODY_TRACKS";
   std::string grasps_channel = "GRASPS";
   std::string request_channel = "GRASP_REQUEST";
   std::string obstacles_channel = "OBSTACLES";
@@ -88,6 +89,8 @@ struct PlannerSettings {
     visit(Way::kIn, "--boxes-channel", settings.boxes_channel, "boxes, sent before their quadrics");
     visit(Way::kIn, "--bodies-channel", settings.bodies_channel,
           "bodies, sent before their quadrics");
+    visit(Way::kIn, "--body-tracks-channel", settings.body_tracks_channel,
+          "tracks of bodies, sent before their quadrics");
     visit(Way::kOut, "--grasps-channel", settings.grasps_channel, "grasps");
     visit(Way::kIn, "--request-channel", settings.request_channel,
           "requests (quadrille.grasp_request_t)");

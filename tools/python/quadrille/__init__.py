@@ -198,7 +198,7 @@ class GraspScene:
         """Returns the grasps that match a query, as a Plan, best first.
 
         targets        ids of detections, boxes and bodies
-        tracks         tracks of detections
+        tracks         tracks of detections, or of bodies for all that is part of them
         types          types of the targets, such as ["cylinder"]
         near           only the target nearest to this point [m]
         roi            only targets whose centre lies between these two corners, least first [m]
@@ -251,7 +251,7 @@ def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
 
 
 class Tracker:
-    """Gives the detections of successive clouds lasting ids.
+    """Gives the surfaces and bodies of successive clouds lasting numbers, of which none is given twice.
 
     config  as for detect(); only the table `track` is used
     """
@@ -262,7 +262,7 @@ class Tracker:
 
     @_answering
     def update(self, result: Result, utime: int, X_WC: _Optional[_ArrayLike] = None) -> None:
-        """Sets Detection.track of all detections of a Result.
+        """Sets Detection.track of all detections of a Result, and Body.track of its bodies.
 
         utime  time of the cloud [us]
         X_WC   pose of the cloud's frame in a fixed frame W, of shape (4, 4); by default, the

@@ -35,6 +35,7 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
       {channels_.quadrics, &LatestMessages::quadrics},
       {channels_.boxes, &LatestMessages::boxes},
       {channels_.bodies, &LatestMessages::bodies},
+      {channels_.body_tracks, &LatestMessages::body_tracks},
       {channels_.grasps, &LatestMessages::grasps},
       {channels_.occupancy, &LatestMessages::occupancy},
       {channels_.obstacles, &LatestMessages::obstacles},
@@ -57,6 +58,7 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   if (is_pose) latest_.camera->add(bytes);
   if (channel == channels_.boxes) latest_.boxes_before = latest_.boxes;
   if (channel == channels_.bodies) latest_.bodies_before = latest_.bodies;
+  if (channel == channels_.body_tracks) latest_.body_tracks_before = latest_.body_tracks;
   for (const auto& [name, slot] : slots) {
     if (!is_cloud && name == channel) std::swap(latest_.*slot, copy);
   }
@@ -67,8 +69,9 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   if (is_status || is_pose) return;
   // Clouds, boxes and bodies come before their quadrics, and so do the robot's shapes. They make no
   // scene until these have come, if quadrics have come recently.
-  const std::string* const early[] = {&channels_.cloud, &channels_.boxes, &channels_.bodies,
-                                      &channels_.robot, &channels_.obstacles};
+  const std::string* const early[] = {&channels_.cloud,  &channels_.boxes,
+                                      &channels_.bodies, &channels_.body_tracks,
+                                      &channels_.robot,  &channels_.obstacles};
   const bool waits = std::any_of(std::begin(early), std::end(early),
                                  [&](const std::string* name) { return *name == channel; });
   has_news_ = has_news_ || !waits || now - quadrics_came_ > kQuadricsTime;

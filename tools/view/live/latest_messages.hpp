@@ -20,7 +20,8 @@ namespace quadrille::view {
 /// the unit of the clouds.
 struct LiveChannels {
   std::string cloud = "POINT_CLOUD", quadrics = "QUADRICS", boxes = "BOXES", bodies = "BODIES",
-              grasps = "GRASPS", occupancy = "OCCUPANCY", robot = "ROBOT", obstacles = "OBSTACLES",
+              body_tracks = "BODY_TRACKS", grasps = "GRASPS", occupancy = "OCCUPANCY",
+              robot = "ROBOT", obstacles = "OBSTACLES",
               detector_status = "QUADRILLE_DETECTOR_STATUS",
               planner_status = "QUADRILLE_PLANNER_STATUS", requests = "GRASP_REQUEST";
   /// The channel of the camera's poses; empty if there are none.
@@ -34,8 +35,8 @@ struct LiveChannels {
   template <class Channels, class Visitor>
   static void visit_inputs(Channels& c, Visitor&& v) {
     for (auto* const name :
-         {&c.cloud, &c.quadrics, &c.boxes, &c.bodies, &c.grasps, &c.occupancy, &c.robot,
-          &c.obstacles, &c.poses, &c.detector_status, &c.planner_status}) {
+         {&c.cloud, &c.quadrics, &c.boxes, &c.bodies, &c.body_tracks, &c.grasps, &c.occupancy,
+          &c.robot, &c.obstacles, &c.poses, &c.detector_status, &c.planner_status}) {
       v(*name);
     }
   }
@@ -48,9 +49,11 @@ using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 /// quadrics come later than these.
 struct LatestMessages {
   std::deque<Bytes> clouds;
-  /// The boxes and bodies before the newest, used until the quadrics of the newest have come.
-  Bytes boxes_before, bodies_before;
-  Bytes quadrics, boxes, bodies, grasps, occupancy, obstacles, detector_status, planner_status;
+  /// The boxes, bodies and tracks of bodies before the newest, used until the quadrics of the
+  /// newest have come.
+  Bytes boxes_before, bodies_before, body_tracks_before;
+  Bytes quadrics, boxes, bodies, body_tracks, grasps, occupancy, obstacles, detector_status,
+      planner_status;
   RobotTrail robot;
   /// The camera's poses; nullopt if no channel of them is given.
   std::optional<CameraTrail> camera;

@@ -10,6 +10,7 @@
 
 #include "poses/pose_history.hpp"
 #include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/grasps_message.hpp"
@@ -90,13 +91,24 @@ void add_looks(const grasps_t& message, Scene* scene) {
   }
 }
 
-/// Returns which of the shown detections a grasp belongs to; 0 if that is unknown.
+/// Returns which of the shown things a grasp belongs to; 0 if that is unknown.
 int target_of(const Grasp& grasp, bool same_cloud, const Scene& scene) {
   if (same_cloud) return grasp.target;
-  const auto found =
-      std::find_if(scene.detections.begin(), scene.detections.end(),
-                   [&](const Detection& d) { return grasp.track > 0 && d.track == grasp.track; });
-  return found == scene.detections.end() ? 0 : found->id;
+  if (grasp.track == 0) return 0;
+  for (const Detection& d : scene.detections) {
+    if (d.track == grasp.track) return d.id;
+  }
+  const auto has_track = [&](int id) {
+    const auto found = scene.sightings.find(id);
+    return found != scene.sightings.end() && found->second.track == grasp.track;
+  };
+  for (const Box& box : scene.boxes) {
+    if (has_track(box.id)) return box.id;
+  }
+  for (const SceneBody& lump : scene.lumps) {
+    if (has_track(lump.id)) return lump.id;
+  }
+  return 0;
 }
 
 void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::size_t max_grasps,
@@ -127,8 +139,8 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }
 
-/// Returns the boxes or bodies of the quadrics: the newest, or the ones before them if the quadrics
-/// of the newest have not come yet.
+/// Returns the boxes, bodies or tracks of the quadrics: the newest, or the ones before them if the
+/// quadrics of the newest have not come yet.
 template <class Message, class Decode>
 std::optional<Message> find_of(const bus::QuadricsMessage& quadrics, const Bytes& newest,
                                const Bytes& before, Decode&& decode) {
@@ -146,10 +158,13 @@ void add_quadrics(bus::QuadricsMessage message, const LatestMessages& messages, 
     std::copy_if(boxes->boxes.begin(), boxes->boxes.end(), std::back_inserter(scene->boxes),
                  [](const Box& box) { return is_reported(box); });
   }
-  const auto bodies =
-      find_of<bus::BodiesMessage>(message, messages.bodies, messages.bodies_before,
-                                  [](const auto& b) { return bus::decode_bodies(b); });
+  auto bodies = find_of<bus::BodiesMessage>(message, messages.bodies, messages.bodies_before,
+                                            [](const auto& b) { return bus::decode_bodies(b); });
+  const auto tracks =
+      find_of<bus::BodyTracksMessage>(message, messages.body_tracks, messages.body_tracks_before,
+                                      [](const auto& b) { return bus::decode_body_tracks(b); });
   if (bodies) {
+    if (tracks) bus::set_tracks(*tracks, &bodies->bodies);
     scene->lumps = lumps_of(bodies->bodies);
     scene->sightings = sightings_of(bodies->bodies);
   }

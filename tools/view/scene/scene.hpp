@@ -25,6 +25,8 @@ struct Sighting {
   int views = 1;
   /// Time since the newest of them [s].
   double unseen = 0.0;
+  /// Track of the body; 0 if it has none.
+  int track = 0;
 };
 
 /// Everything that is shown of one cloud, in one frame C.

@@ -49,6 +49,9 @@ struct SceneBody {
   /// 0 for a body in a single cloud.
   int views = 1;
   double unseen = 0.0;
+  /// Number of the body, 1, 2, …, which it keeps in all clouds of a sequence, whatever its kind and
+  /// its parts are there (see Tracker); 0 if it was not tracked. No detection has the same track.
+  int track = 0;
 };
 
 /// Transforms bodies from frame C to frame F.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
@@ -8,8 +9,6 @@
 #include "quadrille/detector/setting.hpp"
 
 namespace quadrille {
-
-struct SeenPatch;
 
 /// Options for recognising surfaces from cloud to cloud.
 struct TrackOptions {
@@ -24,7 +23,7 @@ struct TrackOptions {
   /// Calls v(field, Setting) for each option, in the order of the configuration file.
   template <class Options, class Visitor>
   static void visit(Options& o, Visitor&& v) {
-    v(o.enabled, {"track.enabled", "Whether detections get tracks."});
+    v(o.enabled, {"track.enabled", "Whether surfaces and bodies get tracks."});
     v(o.gate, {"track.gate", "", 1e-6, 100.0,
                "Largest difference between a track and its next detection, in standard deviations "
                "of place, shape and dimensions together."});
@@ -50,13 +49,16 @@ struct TrackOptions {
   QUADRILLE_EXPORT void check() const;
 };
 
-/// Gives the detections of successive clouds lasting ids: a surface keeps its id through frames in
-/// which it was not found and through changes of its detected type.
+/// Gives the surfaces and bodies of successive clouds lasting numbers, their tracks. A surface
+/// keeps its number through frames in which it was not found and through changes of its detected
+/// type; a body, such as a mug with its walls, also while its parts, the main one and its kind
+/// change.
 ///
-/// A track is the patch of surface that was last seen, with its velocity. Its next detection is the
-/// one onto which the most likely translation carries the patch with the least difference of shape
-/// and dimensions. All detections are assigned jointly, first to the tracks that were seen in the
-/// last frame; a detection without a track begins one. The same detections give the same ids.
+/// A track is what was last seen, with its velocity. The next detection of a surface is the one
+/// onto which the most likely translation carries its patch with the least difference of shape and
+/// dimensions; a body is recognised by the space that it takes. All things of one sort are assigned
+/// jointly, first to the tracks that were seen in the last frame; a thing without a track begins
+/// one. The same things give the same numbers.
 class Tracker {
  public:
   /// @throws std::invalid_argument if an option is out of range
@@ -65,30 +67,22 @@ class Tracker {
   QUADRILLE_EXPORT Tracker(Tracker&&) noexcept;
   QUADRILLE_EXPORT Tracker& operator=(Tracker&&) noexcept;
 
-  /// Sets Detection::track of the detections of one cloud to 1, 2, … in order of appearance.
+  /// Sets Detection::track and SceneBody::track of all that was found in one cloud to 1, 2, … in
+  /// order of appearance, surfaces before bodies. No surface and body share a number.
   ///
-  /// If time runs backwards, a log has been restarted: all tracks are forgotten and ids begin at 1.
+  /// If time runs backwards, a log has been restarted: all tracks are forgotten and numbers begin
+  /// at 1.
   /// @param utime  time of the cloud [us]; equal times are one moment
   /// @param X_WC   pose of the cloud's frame in a fixed frame W; the identity for a camera at rest
+  QUADRILLE_EXPORT void update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
+                               DetectionResult* result);
+  /// The same for detections alone.
   QUADRILLE_EXPORT void update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
                                std::vector<Detection>* detections);
 
  private:
-  struct Track;
-  struct Pairing;
-
-  void advance(double seconds);
-  Pairing compare(const Track& track, const Detection& detection, const SeenPatch& patch) const;
-  void pair_those(bool just_seen, const std::vector<SeenPatch>& patches,
-                  std::vector<Detection>* detections);
-  void renew(const Detection& detection, const SeenPatch& patch, const Eigen::Vector3d& shift_W,
-             Track* track) const;
-  void begin(const SeenPatch& patch, Detection* detection);
-
-  TrackOptions options_;
-  std::vector<Track> tracks_;
-  int last_id_ = 0;
-  std::int64_t utime_ = 0;
+  struct Tracks;
+  std::unique_ptr<Tracks> tracks_;
 };
 
 }  // namespace quadrille

@@ -28,7 +28,7 @@ constexpr auto words_of(GraspKind) {
 struct Grasp {
   /// Id of the detection, box or body to be grasped.
   int target = 0;
-  /// Id of the target's track; 0 if it has none.
+  /// Track of the target, which is that of its body if it is no quadric; 0 if it has none.
   int track = 0;
   GraspKind kind = GraspKind::kAcross;
   /// Probability that the grasp succeeds.
