@@ -1,10 +1,12 @@
 #include "logs/posed_log_reader.hpp"
 
+#include <lcmtypes/quadrille/robot_t.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "log/event_log.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/pose_message.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
@@ -47,6 +49,42 @@ class PosedLog {
   const std::string path_ = folder_.path("x.lcm");
   bus::LogWriter log_{path_};
 };
+
+TEST_CASE("a cloud of a log gets the robot's shapes that are nearest in time", "[logs][robot]") {
+  const test::TempFolder folder;
+  const std::string path = folder.path("r.lcm");
+  {
+    bus::LogWriter log(path);
+    PointCloud cloud;
+    cloud.points = {{1.0f, 2.0f, 3.0f}};
+    const auto tell = [&](std::int64_t utime, double padding) {
+      robot_t robot{};
+      robot.utime = utime;
+      robot.frame = "camera";
+      robot.padding = padding;
+      log.write(utime, "ROBOT", bus::encode(robot));
+    };
+    const auto show = [&](std::int64_t utime) {
+      log.write(utime, "POINT_CLOUD",
+                bus::encode_cloud({utime, 0, cloud}, bus::CloudFormat::kDrake));
+    };
+    show(1 * kMilli);
+    tell(2 * kMilli, 0.02);
+    tell(9 * kMilli, 0.09);
+    show(4 * kMilli);
+    show(10 * kMilli);
+  }
+  const auto paddings = [&](const std::string& channel) {
+    logs::PosedLogReader reader(path, "", "", 1.0, 0.05, 1.0, channel);
+    std::vector<double> found;
+    while (const auto cloud = reader.next()) {
+      found.push_back(cloud->robot ? cloud->robot->padding : -1.0);
+    }
+    return found;
+  };
+  CHECK(paddings("ROBOT") == std::vector<double>{-1.0, 0.02, 0.09});
+  CHECK(paddings("") == std::vector<double>{-1.0, -1.0, -1.0});
+}
 
 TEST_CASE("the clouds of a log get the poses around them", "[logs][pose]") {
   PosedLog log;

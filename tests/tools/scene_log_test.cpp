@@ -179,6 +179,32 @@ TEST_CASE("the hand that a log shows is told with each cloud, and changes nothin
   }
 }
 
+TEST_CASE("detect and plan leave out the hand that a log tells", "[command][scene][path][robot]") {
+  const test::TempFolder folder;
+  const std::string log = folder.path("hand.lcm");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 4 --path 3 --rate 1 --hand franka " + log)
+              .code == 0);
+  for (const std::string command : {"detect --json - ", "plan --gripper franka --json - "}) {
+    for (const std::string poses : {"", " --pose-channel CAMERA_POSE"}) {
+      CAPTURE(command, poses);
+      const auto things_near_camera = [&](const std::string& more) {
+        const test::Run run = run_quadrille(command + log + poses + more);
+        REQUIRE(run.code == 0);
+        // The frame of the first cloud is that of the poses, so the hand is there in both.
+        const auto json = nlohmann::json::parse(run.out.substr(0, run.out.find('\n')));
+        return std::count_if(
+            json.at("detections").begin(), json.at("detections").end(), [](const auto& detection) {
+              const auto p = detection.at("pose").at("position");
+              return std::hypot(p[0].template get<double>(), p[1].template get<double>(),
+                                p[2].template get<double>()) < 0.25;
+            });
+      };
+      CHECK(things_near_camera("") == 0);
+      CHECK(things_near_camera(" --robot-channel NOBODY") > 0);
+    }
+  }
+}
+
 TEST_CASE("wrong options of a log of a scene are refused", "[command][scene][path]") {
   const std::pair<const char*, const char*> cases[] = {
       {"s.ply --path 3", "'s.ply' must end in .lcm"},

@@ -5,13 +5,15 @@
 #include <variant>
 
 #include "quadrille/bus/pose_message.hpp"
+#include "quadrille/bus/scene_messages.hpp"
 
 namespace quadrille::logs {
 
 PosedLogReader::PosedLogReader(const std::string& path, const std::string& channel,
                                std::string pose_channel, double max_age, double max_wait,
-                               double unit)
+                               double unit, std::string robot_channel)
     : pose_channel_(std::move(pose_channel)),
+      robot_channel_(std::move(robot_channel)),
       waiting_(max_age, pose_channel_.empty() ? 0.0 : max_wait),
       clouds_(path, channel, unit, [this](const bus::LogReader::Event& event) { take(event); }) {}
 
@@ -37,6 +39,13 @@ std::optional<PosedCloud> PosedLogReader::next() {
 void PosedLogReader::take(const bus::LogReader::Event& event) {
   now_ = std::max(now_, event.utime);
   settle();
+  if (!robot_channel_.empty() && event.channel == robot_channel_) {
+    auto decoded = bus::decode_robot(event.bytes);
+    if (auto* const robot = std::get_if<robot_t>(&decoded)) {
+      const std::int64_t utime = robot->utime;
+      robots_.add(utime, event.bytes.size(), std::make_shared<const robot_t>(std::move(*robot)));
+    }
+  }
   if (event.channel != pose_channel_) return;
   const auto decoded = bus::decode_pose(event.bytes);
   if (const auto* const pose = std::get_if<bus::PoseMessage>(&decoded)) waiting_.add(*pose);
@@ -46,7 +55,9 @@ void PosedLogReader::take(const bus::LogReader::Event& event) {
 /// Settles the clouds whose poses are known, or whose waiting time is over, in their order.
 void PosedLogReader::settle(bool is_end) {
   while (auto due = waiting_.take_due(now_, is_end)) {
-    ready_.push_back({std::move(due->cloud), std::move(due->pose)});
+    const auto* const robot = robots_.nearest(due->cloud.message.utime);
+    ready_.push_back(
+        {std::move(due->cloud), std::move(due->pose), robot == nullptr ? nullptr : *robot});
   }
 }
 

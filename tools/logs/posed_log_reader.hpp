@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <lcmtypes/quadrille/robot_t.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "logs/cloud_log_reader.hpp"
 #include "poses/camera_poses.hpp"
+#include "poses/timed_values.hpp"
 #include "poses/waiting_clouds.hpp"
 
 namespace quadrille::logs {
@@ -15,6 +19,8 @@ namespace quadrille::logs {
 struct PosedCloud {
   LoggedCloud cloud;
   CameraPose pose;
+  /// The message on the robot's own shapes that was nearest in time; null if none had come.
+  std::shared_ptr<const robot_t> robot;
 };
 
 /// Reads the clouds of a moving camera, and its poses, from an LCM log. Each cloud gets the pose
@@ -28,9 +34,11 @@ class PosedLogReader {
   ///   none waits
   /// @param max_age,  max_wait  as CameraPoses has them [s]
   /// @param unit  length of the unit of the clouds' coordinates [m]
+  /// @param robot_channel  channel of the robot's own shapes (quadrille.robot_t); empty for none
   /// @throws std::runtime_error as bus::LogReader does
   PosedLogReader(const std::string& path, const std::string& channel, std::string pose_channel,
-                 double max_age, double max_wait, double unit = 1.0);
+                 double max_age, double max_wait, double unit = 1.0,
+                 std::string robot_channel = "");
   PosedLogReader(const PosedLogReader&) = delete;
   PosedLogReader& operator=(const PosedLogReader&) = delete;
 
@@ -44,7 +52,11 @@ class PosedLogReader {
   void take(const bus::LogReader::Event& event);
   void settle(bool is_end = false);
 
-  std::string pose_channel_;
+  // Limits of the messages on the robot, in number and bytes, as the processes have them.
+  static constexpr std::size_t kMaxRobots = 256, kMaxRobotBytes = std::size_t{64} << 20;
+
+  std::string pose_channel_, robot_channel_;
+  TimedValues<std::shared_ptr<const robot_t>> robots_{kMaxRobots, kMaxRobotBytes};
   /// Clouds whose poses are not known yet.
   WaitingClouds<LoggedCloud> waiting_;
   CloudLogReader clouds_;

@@ -22,6 +22,7 @@
 #include "quadrille/inputs.hpp"
 #include "quadrille/lasting_scene.hpp"
 #include "quadrille/picture_option.hpp"
+#include "quadrille/robot_of_log.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
 #include "view/scene/scene_of_result.hpp"
@@ -86,7 +87,7 @@ void run(const DetectArguments& arguments) {
   };
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
     std::vector<std::string> warnings;
-    const RobotShapes robot = moved(arguments.robot, input.X_CK.inverse());
+    const RobotShapes robot = joined(moved(arguments.robot, input.X_CK.inverse()), input.robot);
     const SceneViews views = all_views(arguments.views, input, robot, setup.options,
                                        arguments.input.frames.unit, &warnings);
     DetectionResult result = scene.lasts() ? scene.detect(input, path, robot, nullptr)

@@ -14,6 +14,8 @@ void InputArguments::add_to(CLI::App& command) {
   add_channel_option(command, "--channel", channel, "clouds, of a log that has several");
   add_channel_option(command, "--pose-channel", pose_channel,
                      "camera's poses, in logs; results are then in the poses' fixed frame");
+  add_channel_option(command, "--robot-channel", robot_channel,
+                     "robot's own shapes (quadrille.robot_t), in logs");
   for (const char* rival : {"--viewpoint", "--camera-pose"}) {
     command.get_option("--pose-channel")->excludes(command.get_option(rival));
   }

@@ -21,14 +21,16 @@ struct InputArguments {
   std::string channel;
   /// Channel of the camera's poses X_WK in logs; if empty, clouds stay in their own frame.
   std::string pose_channel;
+  /// Channel of the robot's own shapes in logs.
+  std::string robot_channel = "ROBOT";
   /// Whether all clouds show one scene at rest. Then a numbered cloud of a log is visited after
   /// those before it.
   bool scene = false;
   /// How long poses are valid, and how long clouds wait for them.
   TrackOptions track;
 
-  /// Adds --viewpoint, --camera-pose, --unit, --channel, --pose-channel and --scene; this object
-  /// must outlive the app.
+  /// Adds --viewpoint, --camera-pose, --unit, --channel, --pose-channel, --robot-channel and
+  /// --scene; this object must outlive the app.
   void add_to(CLI::App& command);
   /// @throws CLI::ValidationError if a channel is named but none of the inputs is a log, or the
   ///   poses of cameras are not as many as the inputs

@@ -8,6 +8,8 @@
 
 #include "io/json/json.hpp"
 #include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
+#include "quadrille/detector/solid_shape.hpp"
 
 namespace quadrille {
 
@@ -24,6 +26,10 @@ struct InputCloud {
   /// For clouds of a log: the channel, and the time of capture [us].
   std::string channel;
   std::int64_t utime = 0;
+  /// For clouds of a log: the robot's own shapes in K, and what is fixed to its hand, in the hand's
+  /// frame G, as messages tell them.
+  RobotShapes robot;
+  std::vector<SolidShape> attached;
   /// Share of the input that has been read, from 0 to 1.
   double share = 1.0;
   /// Warnings about the log, with the last cloud that is taken from it.

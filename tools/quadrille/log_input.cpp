@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "logs/posed_log_reader.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
+#include "quadrille/robot_of_log.hpp"
 
 namespace quadrille {
 namespace {
@@ -31,6 +33,8 @@ struct LogCloud {
   InputCloud input;
   /// Why the camera's pose, although asked for, is not known; empty if nothing is missing.
   std::string lack;
+  /// Why the robot's shapes, although told, are not known; empty if nothing is missing.
+  std::string robot_lack;
 };
 
 logs::PosedLogReader open_log(const std::string& path, const InputArguments& arguments) {
@@ -39,7 +43,8 @@ logs::PosedLogReader open_log(const std::string& path, const InputArguments& arg
           arguments.pose_channel,
           arguments.track.pose_age,
           arguments.track.pose_wait,
-          arguments.frames.unit};
+          arguments.frames.unit,
+          arguments.robot_channel};
 }
 
 /// Reads on to the next cloud of a log; `number` counts its clouds from 1.
@@ -52,6 +57,7 @@ std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const st
   InputCloud& input = found.input;
   bus::CloudMessage& message = posed->cloud.message;
   const bool in_world = !arguments.pose_channel.empty();
+  const std::string frame = message.cloud.frame;
   if (in_world) {
     found.lack = posed->pose.detail;
     input.X_CK = posed->pose.X_WK.value_or(Eigen::Isometry3d::Identity());
@@ -61,6 +67,13 @@ std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const st
     input.X_CK = arguments.frames.working_frame();
     input.cloud = moved(std::move(message.cloud), input.X_CK.inverse());
     arguments.frames.place_viewpoint(&input.cloud);
+  }
+  if (posed->robot && found.lack.empty()) {
+    try {
+      place_robot(*posed->robot, frame, in_world, in_world || arguments.frames.camera.X_WK, &input);
+    } catch (const std::invalid_argument& error) {
+      found.robot_lack = error.what();
+    }
   }
   input.describe(path + "#" + std::to_string(number), start);
   input.share = reader.clouds().share();
@@ -106,6 +119,15 @@ bool lacks_poses(const InputArguments& arguments, int clouds) {
          !arguments.frames.camera.X_WK;
 }
 
+/// Says that the robot's points stay in clouds; empty if nothing was missing.
+std::vector<std::string> warnings_of_robot(const std::string& lack, const std::string& channel) {
+  if (lack.empty()) return {};
+  return {
+      fmt::format("the robot's shapes on {} cannot be placed, so its points are taken for "
+                  "things: {}",
+                  printable(channel), lack)};
+}
+
 constexpr const char* kUnmoved =
     "its clouds are taken as if their camera had not moved; name the channel of its poses with "
     "--pose-channel, or for a camera at rest its pose with --camera-pose";
@@ -130,6 +152,9 @@ std::vector<std::string> visit_numbered(const LogName& log, const InputArguments
     }
     input.warnings = warnings_about(reader.clouds(), arguments.channel, {{input.channel, 1}});
     if (lacks_poses(arguments, clouds)) input.warnings.push_back(kUnmoved);
+    for (std::string& lack : warnings_of_robot(found->robot_lack, arguments.robot_channel)) {
+      input.warnings.push_back(std::move(lack));
+    }
     std::vector<std::string> warnings = input.warnings;
     visit(std::move(input));
     return warnings;
@@ -173,6 +198,7 @@ std::vector<std::string> visit_all(const std::string& path, const InputArguments
   int number = 0;
   std::optional<InputCloud> last;
   Poseless poseless;
+  std::string robot_lack;
   while (auto found = read_logged_cloud(reader, path, arguments, number + 1)) {
     ++number;
     ++clouds[found->input.channel];
@@ -180,6 +206,7 @@ std::vector<std::string> visit_all(const std::string& path, const InputArguments
       poseless.add(number, found->lack);
       continue;
     }
+    if (robot_lack.empty()) robot_lack = found->robot_lack;
     if (last) visit(std::move(*last));
     last = std::move(found->input);
   }
@@ -187,6 +214,9 @@ std::vector<std::string> visit_all(const std::string& path, const InputArguments
   std::vector<std::string> warnings = warnings_about(reader.clouds(), arguments.channel, clouds);
   if (poseless.clouds > 0) warnings.push_back(poseless.describe(number));
   if (lacks_poses(arguments, number)) warnings.push_back(kUnmoved);
+  for (std::string& lack : warnings_of_robot(robot_lack, arguments.robot_channel)) {
+    warnings.push_back(std::move(lack));
+  }
   if (!last) return warnings;
   last->warnings = warnings;
   visit(std::move(*last));

@@ -32,10 +32,12 @@
 #include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
+#include "quadrille/grasping/shape.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/lasting_scene.hpp"
 #include "quadrille/map_file.hpp"
 #include "quadrille/picture_option.hpp"
+#include "quadrille/robot_of_log.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
 #include "view/scene/scene_of_result.hpp"
@@ -170,6 +172,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   Surroundings known = moved(arguments.known, input.X_CK.inverse());
+  known.robot = joined(std::move(known.robot), input.robot);
   const SceneViews views = all_views(arguments.views, input, known.robot, setup.detector.options,
                                      arguments.input.frames.unit, &info.warnings);
   DetectionResult found = before->scene.lasts()
@@ -177,8 +180,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
                               : detect_views(views.clouds(), setup.detector.options);
   before->tracking.add_to(input, path, &found);
   if (!input.asked) return;
-  const GraspQuery query =
-      moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
+  GraspQuery query = moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
+  for (const SolidShape& shape : input.attached) query.attached.push_back(with_geometry(shape));
   // The planner drops the robot's points itself, since it needs to know what they hide; if there
   // are other views, they show that.
   const PointCloud& cloud = views.clouds().size() > 1 ? views.clouds().front() : input.cloud;
