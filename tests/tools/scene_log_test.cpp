@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <variant>
 #include <vector>
@@ -205,6 +206,45 @@ TEST_CASE("detect and plan leave out the hand that a log tells", "[command][scen
   }
 }
 
+TEST_CASE("a scene is written as several views, all in the frame of the first",
+          "[command][scene][view]") {
+  const test::TempFolder folder;
+  const std::string one = folder.path("one.ply"), all = folder.path("all.ply");
+  const std::string command = "scene --family tabletop --seed 7 ";
+  REQUIRE(run_quadrille(command + one).code == 0);
+  const test::Run made = run_quadrille(command + "--views 3 " + all);
+  REQUIRE(made.code == 0);
+  CHECK(test::content_of(one) == test::content_of(all));
+  CHECK(test::content_of(scene::truth_path(one)) == test::content_of(scene::truth_path(all)));
+  std::string views;
+  for (const char* name : {"all.view1.ply", "all.view2.ply"}) {
+    const std::string path = folder.path(name);
+    CHECK(made.out.find(path + ": --camera-pose=") != std::string::npos);
+    views += " --view " + path;
+  }
+  const auto found = [&](const std::string& inputs) {
+    const test::Run run = run_quadrille("detect --json - " + inputs);
+    REQUIRE(run.code == 0);
+    return nlohmann::json::parse(run.out);
+  };
+  // The views fit each other: their poses need no correction to speak of, and no warning is given.
+  const auto json = found(all + views);
+  CHECK(json.at("warnings").empty());
+  REQUIRE(json.at("views").size() == 2);
+  for (const auto& view : json.at("views")) {
+    for (const double shift : view.at("correction").at("position")) CHECK(std::abs(shift) < 0.005);
+  }
+  // More of the things is seen from three places than from one.
+  const auto seen = [](const auto& result) {
+    double sum = 0.0;
+    for (const auto& detection : result.at("detections")) {
+      if (detection.at("type") != "plane") sum += detection.at("seen").template get<double>();
+    }
+    return sum;
+  };
+  CHECK(seen(json) > 1.2 * seen(found(one)));
+}
+
 TEST_CASE("wrong options of a log of a scene are refused", "[command][scene][path]") {
   const std::pair<const char*, const char*> cases[] = {
       {"s.ply --path 3", "'s.ply' must end in .lcm"},
@@ -217,6 +257,8 @@ TEST_CASE("wrong options of a log of a scene are refused", "[command][scene][pat
       {"s.lcm --path 3 --pose-error 0.01", "--pose-error"},
       {"s.lcm --path 3 --labels", "excludes"},
       {"s.lcm --path 3 --hand claw", "--hand: "},
+      {"s.ply --views 1", "--views: "},
+      {"s.lcm --path 3 --views 2", "--views excludes --path"},
       {"s.ply --hand franka", "requires --path"},
       {"s.ply --rate 3", "requires --path"},
       {"s.ply --pose-error 0,0", "requires --path"}};

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "cli/choice_option.hpp"
 #include "cli/number_list.hpp"
@@ -18,14 +19,18 @@
 #include "lab/scene/scene.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "logs/posed_log_writer.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "quadrille/scene_log.hpp"
+#include "quadrille/scene_views.hpp"
 
 namespace quadrille {
 namespace {
 
 /// Limits of --path: with one cloud nothing moves, and a thousand make a log of 4 GB.
 constexpr int kFewestClouds = 2, kMostClouds = 1000;
+/// Limit of --views: with nine the camera moves by 15 degrees from one to the next.
+constexpr int kMostViews = 10;
 /// The camera's poses come at a constant rate, so that a slow log would hold little else [Hz].
 constexpr double kLeastRate = 1.0;
 /// Limits of the error of poses [m, degrees]; with larger ones they say nothing.
@@ -35,6 +40,8 @@ struct SceneArguments {
   std::string out;
   SceneLogOptions options;
   bool labels = false;
+  /// Number of views of a picture.
+  int views = 1;
 };
 
 const Choices<scene::Family>& scene_families() {
@@ -67,11 +74,24 @@ Gripper hand_of(const std::string& name) {
 }
 
 void write_picture(const SceneArguments& arguments) {
-  const scene::Scene made = scene::make_scene(arguments.options.scene);
-  scene::write_scene(arguments.out, made, arguments.labels);
+  scene::Scene made;
+  std::vector<WrittenView> further;
+  if (arguments.views > 1) {
+    further = write_scene_views(arguments.out, arguments.options.scene, arguments.labels,
+                                arguments.views, &made);
+  } else {
+    made = scene::make_scene(arguments.options.scene);
+    scene::write_scene(arguments.out, made, arguments.labels);
+  }
   print(fmt::format("{}: {} points, {}; truth in {}\n", arguments.out, made.view.points.size(),
                     io::count_of(static_cast<std::size_t>(scene::count_quadrics(made)), "quadric"),
                     scene::truth_path(arguments.out)));
+  for (const WrittenView& view : further) {
+    const Eigen::Vector3d p = view.X_CK.translation();
+    const Eigen::Quaterniond R = rotation_of(view.X_CK);
+    print(fmt::format("{}: --camera-pose={:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                      view.path, p.x(), p.y(), p.z(), R.w(), R.x(), R.y(), R.z()));
+  }
 }
 
 void write_log(const SceneArguments& arguments) {
@@ -130,6 +150,7 @@ void add_path_options(CLI::App& command, SceneArguments& arguments) {
       ->type_name("NAME|FILE")
       ->needs(path);
   command.get_option("--labels")->excludes(path);
+  command.get_option("--views")->excludes(path);
 }
 
 }  // namespace
@@ -144,6 +165,12 @@ void add_scene_command(CLI::App& app) {
   add_seed_option(*command, scene.seed, "the scene");
   command->add_flag("--labels", arguments->labels,
                     "Also write the surface and the true normal of each point");
+  command
+      ->add_option("--views", arguments->views,
+                   "Also write views from other places, as OUT.view1.ply and so on, all in the "
+                   "frame of OUT.ply, and print the poses of their cameras")
+      ->check(CLI::Range(2, kMostViews))
+      ->type_name("N");
   add_path_options(*command, *arguments);
   command->callback([arguments] { run(*arguments); });
 }
