@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "io/cloud_file.hpp"
+#include "io/ply/ply.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "log/event_log.hpp"
 #include "quadrille/bus/cloud_message.hpp"
@@ -234,6 +236,15 @@ TEST_CASE("a scene is written as several views, all in the frame of the first",
   for (const auto& view : json.at("views")) {
     for (const double shift : view.at("correction").at("position")) CHECK(std::abs(shift) < 0.005);
   }
+  // A view that was shifted after its viewpoint was told does not fit.
+  PointCloud shifted = io::read_cloud(folder.path("all.view1.ply"));
+  for (Eigen::Vector3f& p : shifted.points) p += Eigen::Vector3f(0.15f, 0.1f, 0.0f);
+  shifted.viewpoint += Eigen::Vector3d(0.15, 0.1, 0.0);
+  const std::string wrong = folder.path("wrong.ply");
+  io::write_ply(wrong, shifted);
+  const auto misfit = found(all + " --view " + wrong + " --view " + folder.path("all.view2.ply"));
+  REQUIRE_FALSE(misfit.at("warnings").empty());
+  CHECK(test::contains(misfit.at("warnings")[0].get<std::string>(), "look"));
   // More of the things is seen from three places than from one.
   const auto seen = [](const auto& result) {
     double sum = 0.0;

@@ -1,6 +1,7 @@
 #include "quadrille/detect_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -69,7 +70,8 @@ void run(const DetectArguments& arguments) {
   Tracking tracking(setup.track, arguments.track || arguments.input.scene);
   LastingScene scene(arguments.input.scene, false, setup.options);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
-                           const SceneViews& views, const DetectionResult& found) {
+                           const SceneViews& views, const DetectionResult& found,
+                           std::size_t told) {
     DetectionResult result = found;
     result.detections = moved(std::move(result.detections), input.X_CK);
     result.boxes = moved(std::move(result.boxes), input.X_CK);
@@ -81,6 +83,9 @@ void run(const DetectArguments& arguments) {
     if (!json.owns_stdout()) {
       print(detection_table(views.info, result, Paint::of_stdout()));
     }
+    // Those about the views, which come first, have been printed with their names.
+    result.warnings.erase(result.warnings.begin(),
+                          result.warnings.begin() + static_cast<std::ptrdiff_t>(told));
     print_warnings(input.info.input, result.warnings);
     if (!pictures.wanted()) return;
     arguments.picture.write(pictures.next(path), {input.info.input, input.cloud, found});
@@ -98,7 +103,7 @@ void run(const DetectArguments& arguments) {
     if (!input.asked) return;
     std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
     std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });
-    put_out(path, input, views, result);
+    put_out(path, input, views, result, warnings.size());
     if (report.wanted()) report.add(input, view::scene_of_result(input.cloud, result, input.X_CK));
   };
   InputArguments selection = arguments.input;
