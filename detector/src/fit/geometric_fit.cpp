@@ -180,6 +180,13 @@ template std::optional<FamilyFit> refine(DistanceSums<float>*, Family, const Pos
 template std::optional<FamilyFit> refine(DistanceSums<double>*, Family, const PosedQuadric&, int,
                                          double, double);
 
+StepEquations step_equations(DistanceSums<float>* points, Family family,
+                             const PosedQuadric& quadric) {
+  const Normal N = points->evaluate(quadric.matrix()).normal_equations();
+  const Step step(family_spec(family), quadric, N);
+  return {step.A, step.b, N(10, 10)};
+}
+
 FitInformation information(const OrientedPointsf& points, const FamilyFit& fit) {
   const Normal N = DistanceSums(points).evaluate(fit.posed.matrix()).offset_equations();
   const Step step(family_spec(fit.family), fit.posed, N);

@@ -41,6 +41,19 @@ std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family fam
   return refine(&sums, family, start, iterations, wanted, min_gain);
 }
 
+/// The Gauss-Newton equations A step = −b of a quadric's first-order distances in a family's
+/// parameters: A = JᵀJ and b = Jᵀr. The parameters are shapes, then motions.
+struct StepEquations {
+  Eigen::MatrixXd A;
+  Eigen::VectorXd b;
+  /// Sum of squares rᵀr.
+  double rss = 0.0;
+};
+
+/// The equations at a posed quadric, which the points are left at.
+StepEquations step_equations(DistanceSums<float>* points, Family family,
+                             const PosedQuadric& quadric);
+
 /// How the points of a fit determine the family's parameters: shapes, then motions.
 struct FitInformation {
   /// JᵀJ, where J holds the derivatives of the residuals by the parameters.
