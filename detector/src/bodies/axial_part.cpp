@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 #include "boxes/face.hpp"
 
@@ -94,6 +96,19 @@ bool share_axis(const AxialPart& a, const AxialPart& b) {
   if (!a_is_sphere && !b_is_sphere && !parallel) return false;
   const double along = std::abs(with_axis.axis_C.dot(other.middle_C - with_axis.middle_C));
   return along - a.half_length - b.half_length < kMaxGapShare * radius;
+}
+
+std::vector<int> groups_of(const std::vector<AxialPart>& parts) {
+  std::vector<int> group(parts.size());
+  std::iota(group.begin(), group.end(), 0);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (group[i] == group[k] || !share_axis(parts[i], parts[k])) continue;
+      std::replace(group.begin(), group.end(), std::max(group[i], group[k]),
+                   std::min(group[i], group[k]));
+    }
+  }
+  return group;
 }
 
 bool is_lid(const Detection& plane, const AxialPart& part) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <optional>
+#include <vector>
 
 #include "quadrille/detector/detection.hpp"
 
@@ -25,6 +26,10 @@ std::optional<AxialPart> axial_part(const Detection& detection);
 /// a bottle, or lie around each other, such as the walls of a mug. Their axes are parallel within
 /// 9° and no farther apart than an eighth of the larger radius.
 bool share_axis(const AxialPart& a, const AxialPart& b);
+
+/// Numbers that tell for each part to which group it belongs: parts that share an axis, directly or
+/// by others, have the same number.
+std::vector<int> groups_of(const std::vector<AxialPart>& parts);
 
 /// True if a plane is a lid or a bottom of a part: at right angles to its axis, near its end and no
 /// larger than it.

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "bodies/add_lumps.hpp"
@@ -28,21 +27,6 @@ std::vector<Eigen::Vector3d> corners_C(const SceneBody& body) {
     corners.push_back(body.X_CB * Eigen::Vector3d(side.cwiseProduct(body.size)));
   }
   return corners;
-}
-
-/// Numbers that tell for each part to which group it belongs: parts that share an axis, directly or
-/// by others, have the same number.
-std::vector<int> groups_of(const std::vector<AxialPart>& parts) {
-  std::vector<int> group(parts.size());
-  std::iota(group.begin(), group.end(), 0);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      if (group[i] == group[k] || !share_axis(parts[i], parts[k])) continue;
-      std::replace(group.begin(), group.end(), std::max(group[i], group[k]),
-                   std::min(group[i], group[k]));
-    }
-  }
-  return group;
 }
 
 /// Groups detections into bodies.

@@ -79,27 +79,28 @@ bool is_surer(const Surface& a, const Surface& b, const SurfaceSamples& samples)
 
 }  // namespace
 
-Surface last_fit(Surface surface, const SurfaceSamples& samples,
+LastFit last_fit(Surface surface, const SurfaceSamples& samples,
                  const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights,
                  std::span<const OutlinePoint> outline) {
-  if (is_flat(surface)) return surface;
-  const OrientedPointsf points = points_on(surface, samples, scatter, sights);
+  if (is_flat(surface)) return {std::move(surface), OrientedPointsf()};
+  OrientedPointsf points = points_on(surface, samples, scatter, sights);
   std::optional<FamilyFit> fit = refine(points, surface.fit.family, surface.fit.posed, kIterations);
   if (!fit || canonical_form(fit->posed).type != canonical_form(surface.fit.posed).type) {
-    return surface;
+    return {std::move(surface), OrientedPointsf()};
   }
   Surface alone = refitted(surface, *fit, points);
-  if (outline.empty()) return alone;
+  if (outline.empty()) return {std::move(alone), std::move(points)};
   const double noise = samples.common_noise * mean_sigma(samples, surface.region);
   const double common_noise = std::hypot(noise / surface.local.scale, kFlawShare);
-  const auto closed = fit_closed({std::move(*fit), points, surface.effective_size, common_noise},
-                                 local_outline(outline, surface.local));
-  if (!closed) return alone;
+  auto closed = fit_closed({std::move(*fit), points, surface.effective_size, common_noise},
+                           local_outline(outline, surface.local));
+  if (!closed) return {std::move(alone), std::move(points)};
   Surface with_lid = refitted(surface, closed->fit, closed->points);
   with_lid.common_error = closed->common_error;
   // Edges in the image stay where they are if the sensor moves the wall along its normals.
   with_lid.information.Jt1 = information(points, with_lid.fit).Jt1;
-  return is_surer(alone, with_lid, samples) ? alone : with_lid;
+  if (is_surer(alone, with_lid, samples)) return {std::move(alone), std::move(points)};
+  return {std::move(with_lid), std::move(closed->points)};
 }
 
 }  // namespace quadrille

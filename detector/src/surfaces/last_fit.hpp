@@ -4,11 +4,19 @@
 #include <span>
 #include <vector>
 
+#include "fit/oriented_points.hpp"
 #include "samples/sight.hpp"
 #include "surfaces/lid_outline.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {
+
+/// A surface with its last fit, and the points of that fit in the surface's local coordinates. A
+/// surface that was not refitted has none.
+struct LastFit {
+  Surface surface;
+  OrientedPointsf points;
+};
 
 /// Refits a curved surface to all its samples but those at its outline, each moved to where the
 /// surface runs through its cell.
@@ -24,7 +32,7 @@ namespace quadrille {
 ///   shows whether the section is round or elliptic; see fit_closed(). If the fits with and without
 ///   it have the same type, the one with the smaller deviations is taken
 /// @return the surface unchanged if it is a plane or if the refit to its samples is of another type
-Surface last_fit(Surface surface, const SurfaceSamples& samples,
+LastFit last_fit(Surface surface, const SurfaceSamples& samples,
                  const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights,
                  std::span<const OutlinePoint> outline = {});
 

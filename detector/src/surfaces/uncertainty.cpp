@@ -48,13 +48,11 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
   return {fit.family, surface.information, static_cast<double>(fit.points)};
 }
 
-/// Variance of the mean of the noise that is averaged over the points [squared unit of the fit].
-double variance_of_mean(const Surface& surface) {
-  const double n = surface.fit.points;
-  const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double averaged =
-      surface.fit.rss / (n * free * effective_share(surface.evidence.correlation));
-  return averaged + surface.common_error * surface.common_error;
+/// True if neighbours share more of their noise than by chance. The correlation of N samples with
+/// about 4 N pairs of neighbours varies by 1 / √(4 N) if there is none; twice that counts as chance.
+bool shares_noise(const Surface& surface) {
+  const double size = static_cast<double>(surface.region.size());
+  return surface.evidence.correlation >= 1.0 / std::sqrt(size);
 }
 
 /// Number of views that show the surface; one that shows less of it than another counts less.
@@ -69,15 +67,13 @@ double effective_views(const Surface& surface, const SurfaceSamples& samples) {
 
 /// Standard deviation of what the whole surface may be off along its normals [unit of the fit].
 double offset_std(const Surface& surface, const SurfaceSamples& samples) {
-  // The correlation of N samples with about 4 N pairs of neighbours varies by 1 / √(4 N) if there
-  // is none; twice that counts as chance.
-  const double correlation = surface.evidence.correlation;
-  const double size = static_cast<double>(surface.region.size());
-  if (correlation < 1.0 / std::sqrt(size)) return 0.0;
+  if (!shares_noise(surface)) return 0.0;
   double cells = 0.0;
   for (const int i : surface.region) cells += samples.cell[i];
-  const double share = std::sqrt(correlation / effective_views(surface, samples));
-  return kOffsetShare * share * cells / size / surface.local.scale;
+  const double cell = cells / static_cast<double>(surface.region.size());
+  const double share =
+      std::sqrt(surface.evidence.correlation / effective_views(surface, samples));
+  return kOffsetShare * share * cell / surface.local.scale;
 }
 
 /// Derivative of a function of the fit by the family's parameters, by finite differences.
@@ -123,6 +119,20 @@ double published_std(double value, double std, QuadricType type) {
 }
 
 }  // namespace
+
+double variance_of_mean(const Surface& surface) {
+  const double n = surface.fit.points;
+  const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
+  const double averaged =
+      surface.fit.rss / (n * free * effective_share(surface.evidence.correlation));
+  return averaged + surface.common_error * surface.common_error;
+}
+
+double bend_variance(const Surface& surface) {
+  if (!shares_noise(surface)) return 0.0;
+  const double noise = std::pow(surface.evidence.sigma / surface.local.scale, 2);
+  return std::max(0.0, surface.fit.rss / surface.fit.points - noise);
+}
 
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form) {

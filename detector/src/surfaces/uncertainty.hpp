@@ -16,16 +16,22 @@ struct Uncertainty {
   QuadricCovariance covariance;
 };
 
+/// Variance V of the mean of a surface's noise, in the squared unit of its local coordinates. The
+/// noise is averaged over the samples, over fewer where neighbours share it; see effective_share().
+/// What the points of a lid's outline may be off together is not averaged.
+double variance_of_mean(const Surface& surface);
+
+/// What the residuals of a surface exceed the measured noise by, in the squared unit of its local
+/// coordinates: waves longer than the patches in which noise is measured, a bent depth image or a
+/// flaw of the body. Zero if neighbours do not share their noise.
+double bend_variance(const Surface& surface);
+
 /// Computes the covariance of a surface's fit, and from it, through the derivatives by the family's
-/// parameters, that of q and of the dimensions. It has two parts:
-///
-/// - V (JᵀJ / N)⁻¹, where N is the number of points and V the variance of their mean noise. Noise
-/// is
-///   averaged over the samples, over fewer where neighbours share it; see effective_share(). What
-///   the points of a lid's outline may be off together is not averaged.
-/// - What a sensor that smooths its image moves the whole surface along its normals by: the step
-///   −(JᵀJ)⁻¹ Jᵀ1 δ of the parameters. The variance of δ is in proportion to the correlation of
-///   neighbours and to the square of the cells' edge. Views count as independent.
+/// parameters, that of q and of the dimensions. It has two parts. One is V (JᵀJ / N)⁻¹, where N is
+/// the number of points and V their variance_of_mean(). The other is what a sensor that smooths its
+/// image moves the whole surface along its normals by: the step −(JᵀJ)⁻¹ Jᵀ1 δ of the parameters.
+/// The variance of δ is in proportion to the correlation of neighbours and to the square of the
+/// cells' edge. Views count as independent.
 /// @param form  canonical form of the surface's fit, in its local coordinates
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form);

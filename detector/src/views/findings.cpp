@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "bodies/common_axis.hpp"
 #include "bodies/find_bodies.hpp"
 #include "boxes/find_boxes.hpp"
 #include "boxes/flat_patches.hpp"
@@ -156,12 +157,16 @@ Measured measure_all(const Scene& scene, const DetectorOptions& options) {
                                lets_pass(options.only, QuadricType::kEllipticCylinder);
   const std::vector<Sight>& sights = scene.context.sights;
   measured.detections.resize(surfaces.size());
+  std::vector<LastFit> fits(surfaces.size());
   parallel_for(static_cast<int>(surfaces.size()), options.threads, [&](int k) {
     std::vector<OutlinePoint> outline;
     if (seeks_cylinders) outline = outline_of_lids(surfaces[k], scene);
-    const Surface surface = last_fit(surfaces[k], scene.finest, scatter, sights, outline);
-    measured.detections[k] = measure(surface, scene.finest, scene.viewpoint(), sights);
+    fits[k] = last_fit(surfaces[k], scene.finest, scatter, sights, outline);
+    measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
   });
+  for (const int k : fit_common_axes(measured.detections, &fits)) {
+    measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
+  }
   if (seeks_planes) add_planes(scene, std::move(planes), &measured);
   return measured;
 }

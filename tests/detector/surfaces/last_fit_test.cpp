@@ -62,7 +62,7 @@ TEST_CASE("the last fit gives the radius that averaging over cells has made smal
       const auto fit = fit_surface(averages.samples, all_of(averages.samples), {});
       REQUIRE(fit);
       REQUIRE(fit->fit.family == (round ? Family::kSphere : Family::kCylinder));
-      const Surface last = last_fit(*fit, averages.samples, averages.scatter, {});
+      const Surface last = last_fit(*fit, averages.samples, averages.scatter, {}).surface;
       // The mean lies half the curvature times the variance along each curved direction inside.
       const double inside = (round ? 2.0 : 1.0) * cell * cell / 12.0 / (2.0 * kRadius);
       CAPTURE(round, cell, inside, radius_of(*fit), radius_of(last));
@@ -95,6 +95,6 @@ TEST_CASE("a plane has no last fit", "[fit]") {
   const SurfaceSamples samples = plane_grid(20, 20, 0.005, 0.0002, 1);
   const auto plane = fit_plane(samples, all_of(samples), {});
   REQUIRE(plane);
-  const Surface last = last_fit(*plane, samples, {}, {});
+  const Surface last = last_fit(*plane, samples, {}, {}).surface;
   CHECK(last.Q.coefficients() == plane->Q.coefficients());
 }

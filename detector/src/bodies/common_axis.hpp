@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "quadrille/detector/detection.hpp"
+#include "surfaces/last_fit.hpp"
+
+namespace quadrille {
+
+/// Fits the parts of each body of revolution once more, about one axis; see fit_coaxial(). The
+/// parts are those that share_axis() puts together, but for spheres: a sphere shows its centre
+/// without help, and half of the bowls whose walls are fitted as a sphere and a cone are no cones.
+///
+/// Alone, a small part says little about its axis, and the radius of a part of whose section little
+/// is seen depends on where its axis is. Parts do not share an axis after all if the common fit
+/// raises their residuals by more than chance does: the sum of the growths of their sums of
+/// squares, each divided by its N V (see variance_of_mean()), follows a χ² distribution with as
+/// many degrees of freedom as the common axis takes away. Then the part whose residuals grow most
+/// is left out, like a cup that stands askew in another one. So is a part whose type would change.
+/// @param detections  the surfaces as they were measured
+/// @param fits        the surfaces
+/// @return the numbers of the surfaces that have another fit now
+std::vector<int> fit_common_axes(std::span<const Detection> detections, std::vector<LastFit>* fits);
+
+}  // namespace quadrille
