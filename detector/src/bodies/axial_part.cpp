@@ -10,9 +10,8 @@
 namespace quadrille {
 namespace {
 
-// Distance between two axes that are one, as a share of the larger radius, and the noise that is
-// allowed in addition [m].
-constexpr double kMaxOffsetShare = 0.125, kMaxOffsetNoise = 0.003;
+// Distance between two axes that noise explains [m].
+constexpr double kMaxOffsetNoise = 0.003;
 // Gap along the axis between parts of one body, as a share of the larger radius. The detector
 // leaves out narrow shoulders and rims.
 constexpr double kMaxGapShare = 0.6;
@@ -84,26 +83,26 @@ std::optional<AxialPart> axial_part(const Detection& d) {
   return part;
 }
 
-bool share_axis(const AxialPart& a, const AxialPart& b) {
+bool share_axis(const AxialPart& a, const AxialPart& b, const AxisTolerance& tolerance) {
   const double radius = std::max(a.radius, b.radius);
-  const double offset = kMaxOffsetShare * radius + kMaxOffsetNoise;
+  const double offset = tolerance.offset_share * radius + kMaxOffsetNoise;
   const bool a_is_sphere = a.axis_C.isZero(), b_is_sphere = b.axis_C.isZero();
   if (a_is_sphere && b_is_sphere) return (a.middle_C - b.middle_C).norm() < offset;
   const AxialPart& with_axis = a_is_sphere ? b : a;
   const AxialPart& other = a_is_sphere ? a : b;
   if (off_axis(with_axis, other.middle_C) > offset) return false;
-  const bool parallel = std::abs(a.axis_C.dot(b.axis_C)) > std::cos(kMaxSkew);
+  const bool parallel = std::abs(a.axis_C.dot(b.axis_C)) > std::cos(tolerance.skew);
   if (!a_is_sphere && !b_is_sphere && !parallel) return false;
   const double along = std::abs(with_axis.axis_C.dot(other.middle_C - with_axis.middle_C));
   return along - a.half_length - b.half_length < kMaxGapShare * radius;
 }
 
-std::vector<int> groups_of(const std::vector<AxialPart>& parts) {
+std::vector<int> groups_of(const std::vector<AxialPart>& parts, const AxisTolerance& tolerance) {
   std::vector<int> group(parts.size());
   std::iota(group.begin(), group.end(), 0);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (group[i] == group[k] || !share_axis(parts[i], parts[k])) continue;
+      if (group[i] == group[k] || !share_axis(parts[i], parts[k], tolerance)) continue;
       std::replace(group.begin(), group.end(), std::max(group[i], group[k]),
                    std::min(group[i], group[k]));
     }

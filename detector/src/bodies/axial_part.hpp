@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "boxes/face.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
@@ -22,14 +23,23 @@ struct AxialPart {
 /// without such an axis.
 std::optional<AxialPart> axial_part(const Detection& detection);
 
+/// How far axes may be apart that count as one: the angle between them [rad], and their distance as
+/// a share of the larger radius, to which the noise is added.
+struct AxisTolerance {
+  double skew, offset_share;
+};
+
+/// The tolerance for parts of one body: 9° and an eighth of the radius.
+inline constexpr AxisTolerance kOneAxis = {kMaxSkew, 0.125};
+
 /// True if two parts share an axis and follow each other along it, such as the body and the neck of
-/// a bottle, or lie around each other, such as the walls of a mug. Their axes are parallel within
-/// 9° and no farther apart than an eighth of the larger radius.
-bool share_axis(const AxialPart& a, const AxialPart& b);
+/// a bottle, or lie around each other, such as the walls of a mug.
+bool share_axis(const AxialPart& a, const AxialPart& b, const AxisTolerance& tolerance = kOneAxis);
 
 /// Numbers that tell for each part to which group it belongs: parts that share an axis, directly or
 /// by others, have the same number.
-std::vector<int> groups_of(const std::vector<AxialPart>& parts);
+std::vector<int> groups_of(const std::vector<AxialPart>& parts,
+                           const AxisTolerance& tolerance = kOneAxis);
 
 /// True if a plane is a lid or a bottom of a part: at right angles to its axis, near its end and no
 /// larger than it.

@@ -1,6 +1,7 @@
 #include "bodies/common_axis.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -26,6 +27,12 @@ constexpr int kAxisUnknowns = 4;
 // bend surfaces by more than their noise tells.
 constexpr double kChance = 3.09;
 
+// Small parts alone may have axes that are this far off: 20° and a quarter of the radius.
+constexpr AxisTolerance kPerhapsOneAxis = {0.35, 0.25};
+// Such parts join the others only if that raises no root mean square distance by more than this
+// factor. The walls of a tapered cup that pass for cylinders lean apart, and no axis suits both.
+constexpr double kMaxWorse = 1.4;
+
 /// Quantile of the χ² distribution that belongs to a quantile of the normal one, by the
 /// approximation of Wilson and Hilferty, which is right within 1 % here.
 double chi_square_quantile(double degrees, double normal) {
@@ -40,20 +47,22 @@ struct Member {
   CoaxialPart part;
   /// Sum of squares of its fit alone, and its N V; both in local coordinates.
   double alone, variance;
+  /// True if its axis is that of the others only within kPerhapsOneAxis.
+  bool is_guest;
 };
 
 double variance_of(const Surface& surface) {
   return surface.fit.points * variance_of_mean(surface);
 }
 
-Member member_of(int index, const LastFit& fit) {
+Member member_of(int index, const LastFit& fit, bool is_guest) {
   const Surface& surface = fit.surface;
   auto points = std::make_unique<DistanceSums<float>>(fit.points);
   const double alone = points->evaluate(surface.fit.posed.matrix()).squares();
   const double scale = surface.local.scale;
   const double weight = surface.fit.points / (scale * scale * alone);
   const CoaxialPart part{surface.fit, surface.local, points.get(), weight};
-  return {index, std::move(points), part, alone, variance_of(surface)};
+  return {index, std::move(points), part, alone, variance_of(surface), is_guest};
 }
 
 /// The joint fit; nullopt if less than two parts are left.
@@ -62,6 +71,18 @@ std::optional<CoaxialFit> fit_members(const std::vector<Member>& members) {
   std::vector<CoaxialPart> parts;
   for (const Member& member : members) parts.push_back(member.part);
   return fit_coaxial(parts, kJointSteps);
+}
+
+/// The number of the guest whose distances grow most, if those of any member grow too much.
+std::optional<std::size_t> unwelcome(const std::vector<Member>& members, const CoaxialFit& joint) {
+  double worst = 0.0, most = 0.0;
+  std::optional<std::size_t> guest;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const double growth = joint.parts[i].rss / members[i].alone;
+    worst = std::max(worst, growth);
+    if (members[i].is_guest && growth > most) most = growth, guest = i;
+  }
+  return worst > kMaxWorse * kMaxWorse ? guest : std::nullopt;
 }
 
 /// The number of the member that the joint fit suits least, if it does not suit all of them.
@@ -75,6 +96,7 @@ std::optional<std::size_t> misfit(const std::vector<Member>& members, const Coax
     if (growth > most) most = growth, worst = i;
     sum += growth;
   }
+  if (const auto guest = unwelcome(members, joint)) return guest;
   const auto shared = static_cast<double>(kAxisUnknowns * (members.size() - 1));
   if (sum <= chi_square_quantile(shared, kChance)) return std::nullopt;
   return worst;
@@ -104,9 +126,11 @@ void set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
   }
 }
 
-/// The numbers of the surfaces that share_axis() puts together, by groups.
-std::vector<std::vector<int>> coaxial_groups(std::span<const Detection> detections,
-                                             const std::vector<LastFit>& fits) {
+/// The members of each body that may have a common axis.
+///
+/// Those that share_axis() puts together with the largest part are hosts, the others guests.
+std::vector<std::vector<Member>> find_members(std::span<const Detection> detections,
+                                              const std::vector<LastFit>& fits) {
   std::vector<AxialPart> parts;
   std::vector<int> index;
   for (std::size_t k = 0; k < detections.size(); ++k) {
@@ -117,11 +141,22 @@ std::vector<std::vector<int>> coaxial_groups(std::span<const Detection> detectio
     parts.push_back(*part);
     index.push_back(static_cast<int>(k));
   }
-  std::map<int, std::vector<int>> groups;
-  const std::vector<int> group = groups_of(parts);
-  for (std::size_t k = 0; k < parts.size(); ++k) groups[group[k]].push_back(index[k]);
-  std::vector<std::vector<int>> result;
-  for (auto& [number, members] : groups) result.push_back(std::move(members));
+  std::map<int, std::vector<std::size_t>> bodies;
+  const std::vector<int> perhaps = groups_of(parts, kPerhapsOneAxis), surely = groups_of(parts);
+  for (std::size_t k = 0; k < parts.size(); ++k) bodies[perhaps[k]].push_back(k);
+  std::vector<std::vector<Member>> result;
+  for (const auto& [number, body] : bodies) {
+    if (body.size() < 2) continue;
+    const std::size_t host =
+        *std::max_element(body.begin(), body.end(), [&](std::size_t a, std::size_t b) {
+          return fits[index[a]].points.size() < fits[index[b]].points.size();
+        });
+    std::vector<Member> members;
+    for (const std::size_t k : body) {
+      members.push_back(member_of(index[k], fits[index[k]], surely[k] != surely[host]));
+    }
+    result.push_back(std::move(members));
+  }
   return result;
 }
 
@@ -130,10 +165,7 @@ std::vector<std::vector<int>> coaxial_groups(std::span<const Detection> detectio
 std::vector<int> fit_common_axes(std::span<const Detection> detections,
                                  std::vector<LastFit>* fits) {
   std::vector<int> changed;
-  for (const std::vector<int>& group : coaxial_groups(detections, *fits)) {
-    if (group.size() < 2) continue;
-    std::vector<Member> members;
-    for (const int k : group) members.push_back(member_of(k, (*fits)[k]));
+  for (std::vector<Member>& members : find_members(detections, *fits)) {
     std::optional<CoaxialFit> joint = fit_members(members);
     while (joint) {
       const std::optional<std::size_t> worst = misfit(members, *joint);

@@ -9,8 +9,9 @@
 namespace quadrille {
 
 /// Fits the parts of each body of revolution once more, about one axis; see fit_coaxial(). The
-/// parts are those that share_axis() puts together, but for spheres: a sphere shows its centre
-/// without help, and half of the bowls whose walls are fitted as a sphere and a cone are no cones.
+/// parts are those that share_axis() puts together, and others whose axes are somewhat farther off,
+/// as noise may turn them. Spheres take no part: they show their centres without help, and the
+/// outer wall of a bowl whose inner wall passes for a cone would follow the wrong axis.
 ///
 /// Alone, a small part says little about its axis, and the radius of a part of whose section little
 /// is seen depends on where its axis is. Parts do not share an axis after all if the common fit
