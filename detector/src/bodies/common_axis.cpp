@@ -45,7 +45,8 @@ struct Member {
   int index;
   std::unique_ptr<DistanceSums<float>> points;
   CoaxialPart part;
-  /// Sum of squares of its fit alone, and its N V; both in local coordinates.
+  /// Sum of squares of its fit alone, and by how much chance and bent surfaces let it grow for one
+  /// unknown less; both in local coordinates.
   double alone, variance;
   /// True if its axis is that of the others only within kPerhapsOneAxis.
   bool is_guest;
@@ -62,7 +63,8 @@ Member member_of(int index, const LastFit& fit, bool is_guest) {
   const double scale = surface.local.scale;
   const double weight = surface.fit.points / (scale * scale * alone);
   const CoaxialPart part{surface.fit, surface.local, points.get(), weight};
-  return {index, std::move(points), part, alone, variance_of(surface), is_guest};
+  const double variance = variance_of(surface) + surface.fit.points * bend_variance(surface);
+  return {index, std::move(points), part, alone, variance, is_guest};
 }
 
 /// The joint fit; nullopt if less than two parts are left.
@@ -122,7 +124,8 @@ void set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
     Surface& surface = (*fits)[members[i].index].surface;
     // uncertainty_of() makes the covariance of this.
     const auto I = Eigen::MatrixXd::Identity(covariance[i].rows(), covariance[i].cols());
-    surface.information = variance_of(surface) * covariance[i].ldlt().solve(I);
+    surface.information.JtJ = variance_of(surface) * covariance[i].ldlt().solve(I);
+    surface.information.Jt1 = information((*fits)[members[i].index].points, surface.fit).Jt1;
   }
 }
 

@@ -49,7 +49,8 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
 }
 
 /// True if neighbours share more of their noise than by chance. The correlation of N samples with
-/// about 4 N pairs of neighbours varies by 1 / √(4 N) if there is none; twice that counts as chance.
+/// about 4 N pairs of neighbours varies by 1 / √(4 N) if there is none; twice that counts as
+/// chance.
 bool shares_noise(const Surface& surface) {
   const double size = static_cast<double>(surface.region.size());
   return surface.evidence.correlation >= 1.0 / std::sqrt(size);
@@ -71,8 +72,7 @@ double offset_std(const Surface& surface, const SurfaceSamples& samples) {
   double cells = 0.0;
   for (const int i : surface.region) cells += samples.cell[i];
   const double cell = cells / static_cast<double>(surface.region.size());
-  const double share =
-      std::sqrt(surface.evidence.correlation / effective_views(surface, samples));
+  const double share = std::sqrt(surface.evidence.correlation / effective_views(surface, samples));
   return kOffsetShare * share * cell / surface.local.scale;
 }
 
