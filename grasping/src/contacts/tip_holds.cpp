@@ -262,7 +262,7 @@ std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const Appr
     }
   }
   Search search(body, gripper, limits);
-  constexpr std::size_t kRounds = 3;
+  constexpr std::size_t kRounds = 2;
   for (std::size_t round = 0; round < kRounds; ++round) {
     if (round == 1 && limits.is_promising && !search.is_promising()) break;
     for (std::size_t n = round; n < orientations.size(); n += kRounds) {

@@ -28,7 +28,7 @@ struct TipLimits {
   /// If set, the search leaves out holds with more than this distance between the contacts along a
   /// closing direction, and directions for which it is not positive [m].
   std::function<double(const Eigen::Vector3d& closing_C)> max_width = {};
-  /// If set, the search ends after a third of the orientations, which are spread over all
+  /// If set, the search ends after half of the orientations, which are spread over all
   /// directions, unless this returns true for one of the holds that they gave.
   std::function<bool(const Hold& hold)> is_promising = {};
 };
