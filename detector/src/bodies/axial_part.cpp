@@ -103,8 +103,9 @@ std::vector<int> groups_of(const std::vector<AxialPart>& parts, const AxisTolera
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (group[i] == group[k] || !share_axis(parts[i], parts[k], tolerance)) continue;
-      std::replace(group.begin(), group.end(), std::max(group[i], group[k]),
-                   std::min(group[i], group[k]));
+      // Copies, since std::replace() overwrites what references would name.
+      const int from = std::max(group[i], group[k]), to = std::min(group[i], group[k]);
+      std::replace(group.begin(), group.end(), from, to);
     }
   }
   return group;

@@ -75,30 +75,36 @@ std::optional<CoaxialFit> fit_members(const std::vector<Member>& members) {
   return fit_coaxial(parts, kJointSteps);
 }
 
-/// The number of the guest whose distances grow most, if those of any member grow too much.
+/// True if a member is of another type in the joint fit than alone.
+bool changes_type(const Member& member, const FamilyFit& joint) {
+  return canonical_form(joint.posed).type != canonical_form(member.part.fit.posed).type;
+}
+
+/// The number of the guest whose distances grow most, if those of any member grow too much or a
+/// member's type changes.
 std::optional<std::size_t> unwelcome(const std::vector<Member>& members, const CoaxialFit& joint) {
-  double worst = 0.0, most = 0.0;
+  bool is_worse = false;
+  double most = 0.0;
   std::optional<std::size_t> guest;
   for (std::size_t i = 0; i < members.size(); ++i) {
     const double growth = joint.parts[i].rss / members[i].alone;
-    worst = std::max(worst, growth);
+    is_worse |= growth > kMaxWorse * kMaxWorse || changes_type(members[i], joint.parts[i]);
     if (members[i].is_guest && growth > most) most = growth, guest = i;
   }
-  return worst > kMaxWorse * kMaxWorse ? guest : std::nullopt;
+  return is_worse ? guest : std::nullopt;
 }
 
 /// The number of the member that the joint fit suits least, if it does not suit all of them.
 std::optional<std::size_t> misfit(const std::vector<Member>& members, const CoaxialFit& joint) {
+  if (const auto guest = unwelcome(members, joint)) return guest;
   double sum = 0.0, most = 0.0;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const PosedQuadric& own = members[i].part.fit.posed;
-    if (canonical_form(joint.parts[i].posed).type != canonical_form(own).type) return i;
+    if (changes_type(members[i], joint.parts[i])) return i;
     const double growth = (joint.parts[i].rss - members[i].alone) / members[i].variance;
     if (growth > most) most = growth, worst = i;
     sum += growth;
   }
-  if (const auto guest = unwelcome(members, joint)) return guest;
   const auto shared = static_cast<double>(kAxisUnknowns * (members.size() - 1));
   if (sum <= chi_square_quantile(shared, kChance)) return std::nullopt;
   return worst;
@@ -125,7 +131,7 @@ void set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
     // uncertainty_of() makes the covariance of this.
     const auto I = Eigen::MatrixXd::Identity(covariance[i].rows(), covariance[i].cols());
     surface.information.JtJ = variance_of(surface) * covariance[i].ldlt().solve(I);
-    surface.information.Jt1 = information((*fits)[members[i].index].points, surface.fit).Jt1;
+    surface.information.Jt1 = information((*fits)[members[i].index].wall(), surface.fit).Jt1;
   }
 }
 

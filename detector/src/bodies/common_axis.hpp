@@ -16,9 +16,11 @@ namespace quadrille {
 /// Alone, a small part says little about its axis, and the radius of a part of whose section little
 /// is seen depends on where its axis is. Parts do not share an axis after all if the common fit
 /// raises their residuals by more than chance does: the sum of the growths of their sums of
-/// squares, each divided by its N V (see variance_of_mean()), follows a χ² distribution with as
-/// many degrees of freedom as the common axis takes away. Then the part whose residuals grow most
-/// is left out, like a cup that stands askew in another one. So is a part whose type would change.
+/// squares, each divided by N (V + B), where V is its variance_of_mean() and B its bend_variance(),
+/// follows a χ² distribution with as many degrees of freedom as the common axis takes away. Then
+/// the part whose residuals grow most is left out, like a cup that stands askew in another one. So
+/// is a part whose type would change. Parts whose axes are farther off join only if no part's root
+/// mean square distance grows by more than a factor of 1.4.
 /// @param detections  the surfaces as they were measured
 /// @param fits        the surfaces
 /// @return the numbers of the surfaces that have another fit now

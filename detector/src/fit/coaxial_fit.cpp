@@ -247,7 +247,8 @@ std::optional<CoaxialFit> fit_coaxial(std::span<const CoaxialPart> parts, int it
   for (int i = 0; i < iterations; ++i) {
     if (!equations.A.allFinite() || !equations.b.allFinite()) return std::nullopt;
     const Eigen::VectorXd step = solve(equations, damping);
-    if (!step.allFinite() || -equations.b.dot(step) < kMinGain * equations.rss) break;
+    if (!step.allFinite()) return std::nullopt;
+    if (-equations.b.dot(step) < kMinGain * equations.rss) break;
     State next = joint.moved_by(state, step);
     if (joint.rss(next) < equations.rss) {
       state = std::move(next);

@@ -82,25 +82,26 @@ bool is_surer(const Surface& a, const Surface& b, const SurfaceSamples& samples)
 LastFit last_fit(Surface surface, const SurfaceSamples& samples,
                  const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights,
                  std::span<const OutlinePoint> outline) {
-  if (is_flat(surface)) return {std::move(surface), OrientedPointsf()};
+  if (is_flat(surface)) return {std::move(surface), OrientedPointsf(), 0};
   OrientedPointsf points = points_on(surface, samples, scatter, sights);
   std::optional<FamilyFit> fit = refine(points, surface.fit.family, surface.fit.posed, kIterations);
   if (!fit || canonical_form(fit->posed).type != canonical_form(surface.fit.posed).type) {
-    return {std::move(surface), OrientedPointsf()};
+    return {std::move(surface), OrientedPointsf(), 0};
   }
   Surface alone = refitted(surface, *fit, points);
-  if (outline.empty()) return {std::move(alone), std::move(points)};
+  const Eigen::Index size = points.size();
+  if (outline.empty()) return {std::move(alone), std::move(points), size};
   const double noise = samples.common_noise * mean_sigma(samples, surface.region);
   const double common_noise = std::hypot(noise / surface.local.scale, kFlawShare);
   auto closed = fit_closed({std::move(*fit), points, surface.effective_size, common_noise},
                            local_outline(outline, surface.local));
-  if (!closed) return {std::move(alone), std::move(points)};
+  if (!closed) return {std::move(alone), std::move(points), size};
   Surface with_lid = refitted(surface, closed->fit, closed->points);
   with_lid.common_error = closed->common_error;
-  // Edges in the image stay where they are if the sensor moves the wall along its normals.
-  with_lid.information.Jt1 = information(points, with_lid.fit).Jt1;
-  if (is_surer(alone, with_lid, samples)) return {std::move(alone), std::move(points)};
-  return {std::move(with_lid), std::move(closed->points)};
+  LastFit result{std::move(with_lid), std::move(closed->points), size};
+  result.surface.information.Jt1 = information(result.wall(), result.surface.fit).Jt1;
+  if (is_surer(alone, result.surface, samples)) return {std::move(alone), std::move(points), size};
+  return result;
 }
 
 }  // namespace quadrille

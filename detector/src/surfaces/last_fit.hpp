@@ -16,6 +16,12 @@ namespace quadrille {
 struct LastFit {
   Surface surface;
   OrientedPointsf points;
+  /// Number of the points that are samples. They come first; the others are of a lid's outline.
+  Eigen::Index samples = 0;
+
+  /// The points that move if the sensor moves the surface along its normals. Edges stay where they
+  /// are in the image.
+  OrientedPointsf wall() const { return points.first(samples); }
 };
 
 /// Refits a curved surface to all its samples but those at its outline, each moved to where the

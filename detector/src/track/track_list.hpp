@@ -43,7 +43,7 @@ class TrackList {
     double velocity_variance = 0.0;
     double seconds_unseen = 0.0;
     int frames_unseen = 0;
-    /// Number of frames since it began, and of those among them that showed it.
+    /// Number of frames since it began, and the number of these in which it was seen.
     int frames = 0, sightings = 0;
   };
 

@@ -17,7 +17,7 @@ namespace quadrille {
 /// every third one from the second on, and so forth, so that each round has all kinds of them.
 inline constexpr std::size_t kHoldRounds = 3;
 
-/// Tells whether it is worth to go on after some rounds, from the holds that these found.
+/// Tells whether it is worth going on after some rounds, from the holds that these found.
 using GoesOn = std::function<bool(int rounds, std::span<const Hold> found)>;
 
 /// Returns holds on points of which no shape is known. The hand is moved across the points in steps

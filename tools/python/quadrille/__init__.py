@@ -251,7 +251,7 @@ def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
 
 
 class Tracker:
-    """Gives the surfaces and bodies of successive clouds lasting numbers, of which none is given twice.
+    """Gives the surfaces and bodies of successive clouds lasting numbers. No surface and body share one.
 
     config  as for detect(); only the table `track` is used
     """
