@@ -62,7 +62,8 @@ check_mixed_results() {
     "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/o.lcm"
   expect_exit 0 "clouds in: 6" \
     "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/o.lcm" --copy-input \
-    --out-channel Q2 --boxes-channel B2 --bodies-channel N2 --status-channel S2
+    --out-channel Q2 --boxes-channel B2 --bodies-channel N2 --body-tracks-channel T2 \
+    --status-channel S2
   "$planner" --in-log "$work/quadrics.lcm" --out-log "$work/planned.lcm" --copy-input 2>/dev/null
   expect_exit 1 "on GRASPS (6; --grasps-channel), COLLISION_SHAPES (6; --shapes-channel)" \
     "$planner" --in-log "$work/planned.lcm" --out-log "$work/o.lcm" --copy-input

@@ -130,7 +130,8 @@ TEST_CASE("grasps move with the scene", "[plan][law]") {
     CHECK(a.grasps.empty() == b.grasps.empty());
     if (a.grasps.empty()) continue;
     CHECK(a.grasps.size() == b.grasps.size());
-    CHECK(a.grasps.front().score == Approx(b.grasps.front().score).epsilon(0.03));
+    // The best grasp may be another one, since directions are tried from another first one on.
+    CHECK(a.grasps.front().score == Approx(b.grasps.front().score).epsilon(0.05));
   }
 }
 

@@ -32,7 +32,7 @@ def values_of(message):
 
 class Messages(unittest.TestCase):
     def test_what_was_just_made_can_be_sent(self):
-        for package, count in ((quadrille, 26), (quadrille.drake, 6), (quadrille.bot_core, 4)):
+        for package, count in ((quadrille, 28), (quadrille.drake, 6), (quadrille.bot_core, 4)):
             kinds = types_of(package)
             self.assertEqual(len(kinds), count)
             for kind in kinds:

@@ -48,7 +48,7 @@ std::vector<json> comparable(const Run& run) {
 /// Files have no tracks.
 std::vector<json> without_tracks(std::vector<json> objects) {
   for (json& object : objects) {
-    for (const char* list : {"detections", "grasps"}) {
+    for (const char* list : {"detections", "bodies", "grasps"}) {
       for (json& item : object[list]) item.erase("track");
     }
   }

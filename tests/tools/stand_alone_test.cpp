@@ -205,7 +205,9 @@ TEST_CASE("plans of a log's clouds tell tracks, and can be asked for some", "[co
   REQUIRE(found.size() == 2);
   REQUIRE(planned.size() == 2);
   for (int n : {0, 1}) {
+    // A box or a lump has the track of its body.
     std::map<int, int> tracks;
+    for (const json& body : found[n]["bodies"]) tracks[body["id"]] = body["track"];
     for (const json& d : found[n]["detections"]) tracks[d["id"]] = d["track"];
     REQUIRE_FALSE(planned[n]["grasps"].empty());
     for (const json& grasp : planned[n]["grasps"]) {
