@@ -32,6 +32,8 @@ constexpr AxisTolerance kPerhapsOneAxis = {0.35, 0.25};
 // Such parts join the others only if that raises no root mean square distance by more than this
 // factor. The walls of a tapered cup that pass for cylinders lean apart, and no axis suits both.
 constexpr double kMaxWorse = 1.4;
+// Mean square of the distances that rounding leaves of exact points, in local coordinates.
+constexpr double kRounding = 1e-14;
 
 /// Quantile of the χ² distribution that belongs to a quantile of the normal one, by the
 /// approximation of Wilson and Hilferty, which is right within 1 % here.
@@ -59,11 +61,13 @@ double variance_of(const Surface& surface) {
 Member member_of(int index, const LastFit& fit, bool is_guest) {
   const Surface& surface = fit.surface;
   auto points = std::make_unique<DistanceSums<float>>(fit.points);
-  const double alone = points->evaluate(surface.fit.posed.matrix()).squares();
+  const double least = kRounding * static_cast<double>(fit.points.size());
+  const double alone = std::max(least, points->evaluate(surface.fit.posed.matrix()).squares());
   const double scale = surface.local.scale;
   const double weight = surface.fit.points / (scale * scale * alone);
   const CoaxialPart part{surface.fit, surface.local, points.get(), weight};
-  const double variance = variance_of(surface) + surface.fit.points * bend_variance(surface);
+  const double variance =
+      std::max(least, variance_of(surface) + surface.fit.points * bend_variance(surface));
   return {index, std::move(points), part, alone, variance, is_guest};
 }
 
@@ -71,6 +75,7 @@ Member member_of(int index, const LastFit& fit, bool is_guest) {
 std::optional<CoaxialFit> fit_members(const std::vector<Member>& members) {
   if (members.size() < 2) return std::nullopt;
   std::vector<CoaxialPart> parts;
+  parts.reserve(members.size());
   for (const Member& member : members) parts.push_back(member.part);
   return fit_coaxial(parts, kJointSteps);
 }

@@ -22,9 +22,9 @@ struct RoundWall {
 };
 
 RoundWall wall(const Eigen::Isometry3d& X_CW, double radius, int columns, int rows,
-               std::uint64_t seed) {
+               std::uint64_t seed, double noise = kWallNoise) {
   RoundWall result;
-  result.samples = test::cylinder_grid(columns, rows, radius, kWallCell, kWallNoise, seed);
+  result.samples = test::cylinder_grid(columns, rows, radius, kWallCell, noise, seed);
   const Eigen::Isometry3f X = X_CW.cast<float>();
   for (int i = 0; i < result.samples.size(); ++i) {
     result.samples.p[i] = X * result.samples.p[i];
@@ -109,6 +109,14 @@ TEST_CASE("a part that leans keeps its own fit, and the others share an axis", "
   CHECK(refit(&walls) == 2);
   CHECK(walls[1].fit.surface.Q.coefficients() == before.coefficients());
   CHECK(skew(walls[0], walls[2].detection.X_CQ.linear().col(2)) < 1e-6);
+}
+
+TEST_CASE("exact walls about one axis keep their radii", "[bodies]") {
+  std::vector<RoundWall> walls = {wall(at(0.0), 0.04, 22, 25, 1, 0.0),
+                                  wall(at(0.09), 0.02, 12, 15, 2, 0.0)};
+  refit(&walls);
+  CHECK(walls[0].detection.dimensions[0].value == Approx(0.04).epsilon(1e-4));
+  CHECK(walls[1].detection.dimensions[0].value == Approx(0.02).epsilon(1e-4));
 }
 
 TEST_CASE("a wall alone and walls side by side keep their fits", "[bodies]") {
