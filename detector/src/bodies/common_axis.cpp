@@ -142,7 +142,8 @@ void set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
 
 /// The members of each body that may have a common axis.
 ///
-/// Those that share_axis() puts together with the largest part are hosts, the others guests.
+/// The largest part, and those that share its axis within the usual tolerance, are sure members.
+/// The others are guests: their axes are farther off.
 std::vector<std::vector<Member>> find_members(std::span<const Detection> detections,
                                               const std::vector<LastFit>& fits) {
   std::vector<AxialPart> parts;

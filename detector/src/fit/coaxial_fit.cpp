@@ -159,7 +159,7 @@ class JointFit {
   }
 
  private:
-  /// What a squared distance in local coordinates counts.
+  /// The weight of a squared distance in a part's local coordinates.
   static double square_of(const CoaxialPart& part) {
     return part.weight * part.local.scale * part.local.scale;
   }

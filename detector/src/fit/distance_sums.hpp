@@ -33,7 +33,7 @@ class DistanceSums {
   /// The 11x11 matrix [JᵀJ Jᵀr; rᵀJ rᵀr], where J = dr/dq. Rows are in the order of q, the residual
   /// last; its last element is squares().
   Matrix11d normal_equations() const;
-  /// The same with residuals of one unit in place of r, [JᵀJ Jᵀ1; 1ᵀJ n]: the equations of the
+  /// The normal equations if each residual were one unit, [JᵀJ Jᵀ1; 1ᵀJ n]: the equations of the
   /// step by which a fit follows its points if all of them move up their gradients by a unit.
   Matrix11d offset_equations() const;
 

@@ -19,9 +19,10 @@ namespace {
 constexpr double kRoundnessStd = 0.12;
 // A dimension is a guess if its standard deviation exceeds this share of its value.
 constexpr double kGuessShare = 0.5;
-// What a sensor moves a whole surface along its normals by, as a standard deviation and a share of
-// a cell's edge, where neighbouring cells share all of their noise. By the likelihood of the
-// radii's errors on simulated stereo, structured light and time of flight.
+// A sensor that smooths its image may move a whole surface along its normals. This is the standard
+// deviation of that motion if neighbouring cells share all of their noise, as a share of a cell's
+// edge. It makes the errors of radii on simulated stereo, structured light and time of flight most
+// likely.
 constexpr double kOffsetShare = 0.8;
 // Directions of the parameter space with a larger standard deviation count as undetermined; bodies
 // have about unit size.

@@ -18,12 +18,13 @@ struct Uncertainty {
 
 /// Variance V of the mean of a surface's noise, in the squared unit of its local coordinates. The
 /// noise is averaged over the samples, over fewer where neighbours share it; see effective_share().
-/// What the points of a lid's outline may be off together is not averaged.
+/// The points of a lid's outline may all be off together; that error is added without averaging.
 double variance_of_mean(const Surface& surface);
 
-/// What the residuals of a surface exceed the measured noise by, in the squared unit of its local
-/// coordinates: waves longer than the patches in which noise is measured, a bent depth image or a
-/// flaw of the body. Zero if neighbours do not share their noise.
+/// Mean square of a surface's residuals less that of the measured noise, in the squared unit of its
+/// local coordinates. Residuals are larger than the noise if it has waves longer than the patches
+/// in which it is measured, if the depth image is bent or if the body has a flaw. Zero if
+/// neighbours do not share their noise.
 double bend_variance(const Surface& surface);
 
 /// Computes the covariance of a surface's fit, and from it, through the derivatives by the family's

@@ -13,7 +13,7 @@ struct LookMatch {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// What is expected of a thing that was seen before, and how much may differ.
+/// How a thing that was seen before may have moved since, and how much it may differ.
 struct Expectation {
   /// Variance of each component of its motion [m²].
   double motion_variance = 0.0;

@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// What a surface looked like when it was last seen.
+/// The type, dimensions and seen part of a surface, by which it is recognised in the next cloud.
 struct SurfaceLook {
   QuadricType type = QuadricType::kPlane;
   std::vector<Dimension> dimensions;

@@ -66,7 +66,7 @@ class SliceHolds {
     std::vector<double> cosines;
     std::vector<char> is_own;
   };
-  /// What the points at one side of a run tell at little cost.
+  /// A quick first look at the points on one side of a run.
   struct Glance {
     FacingCount facing;
     /// The mean of how far they lie along the approach [m].

@@ -76,7 +76,7 @@ class Tracker {
   /// @param X_WC   pose of the cloud's frame in a fixed frame W; the identity for a camera at rest
   QUADRILLE_EXPORT void update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
                                DetectionResult* result);
-  /// The same for detections alone.
+  /// Sets Detection::track alone, for callers that have no bodies.
   QUADRILLE_EXPORT void update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
                                std::vector<Detection>* detections);
 
