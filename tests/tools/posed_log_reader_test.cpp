@@ -78,12 +78,27 @@ TEST_CASE("a cloud of a log gets the robot's shapes that are nearest in time", "
     logs::PosedLogReader reader(path, "", "", 1.0, 0.05, 1.0, channel);
     std::vector<double> found;
     while (const auto cloud = reader.next()) {
-      found.push_back(cloud->robot ? cloud->robot->padding : -1.0);
+      found.push_back(cloud->robot ? cloud->robot->robot.padding : -1.0);
     }
     return found;
   };
   CHECK(paddings("ROBOT") == std::vector<double>{-1.0, 0.02, 0.09});
   CHECK(paddings("") == std::vector<double>{-1.0, -1.0, -1.0});
+}
+
+TEST_CASE("messages on the robot of a log that are refused are counted", "[logs][robot][hostile]") {
+  const test::TempFolder folder;
+  const std::string path = folder.path("bad.lcm");
+  {
+    bus::LogWriter log(path);
+    log.write(1, "ROBOT", std::vector<std::byte>(20));
+    log.write(2, "ROBOT", bus::encode(robot_t{}));
+    log.write(3, "ROBOT", std::vector<std::byte>(3));
+  }
+  logs::PosedLogReader reader(path, "", "", 1.0, 0.05, 1.0, "ROBOT");
+  CHECK(!reader.next());
+  CHECK(reader.robot_refusals().count == 2);
+  CHECK(!reader.robot_refusals().why_first.empty());
 }
 
 TEST_CASE("the clouds of a log get the poses around them", "[logs][pose]") {

@@ -1,4 +1,6 @@
 #include "log/event_log.hpp"
+#include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -78,6 +80,30 @@ TEST_CASE("what was published into a log is shown, whatever the channel", "[comm
   CHECK(test::lines_of(two.out) == 2 + 1 + 2);
 }
 
+TEST_CASE("bodies and their tracks are shown", "[command][show]") {
+  const test::TempFolder folder;
+  SceneBody mug;
+  mug.id = 8;
+  mug.kind = BodyKind::kRevolution;
+  mug.parts = {8, 13};
+  mug.X_CB = Eigen::Translation3d(0.1, -0.2, 0.7);
+  mug.size = {0.08, 0.08, 0.0954};
+  mug.seen = {true, true, false};
+  mug.standing_on = 1;
+  mug.points = 420;
+  mug.track = 3;
+  bus::CloudMessage cloud;
+  cloud.utime = 1500;
+  cloud.cloud.frame = "camera";
+  const Run run =
+      run_quadrille("show " + write_log(folder, {bus::encode(bus::to_message(cloud, {mug})),
+                                                 bus::encode(bus::tracks_message(cloud, {mug}))}));
+  INFO(run.out << run.err);
+  CHECK(contains(run.out, "bodies: 1\n   8  revolution "));
+  CHECK(contains(run.out, "80.0 x 80.0 x (95.4) mm, on 1, parts 8 13\n"));
+  CHECK(contains(run.out, "tracks of bodies: 1\n   8  track 3\n"));
+}
+
 TEST_CASE("of a target without grasps the main reason is shown", "[command][show]") {
   const test::TempFolder folder;
   const Run run = run_quadrille("show " + write_log(folder, {grasps_message(0)}));
@@ -92,7 +118,7 @@ TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",
   const Run run = run_quadrille("show " + write_log(folder, {damaged, std::vector<std::byte>(20)}));
   CHECK(run.code == 0);
   CHECK(run.out.empty());
-  CHECK(contains(run.err, "1 message of quadrics, boxes, grasps or status damaged"));
+  CHECK(contains(run.err, "1 message of quadrics, boxes, bodies, grasps or status damaged"));
   CHECK(contains(run.err, "holds no quadrics and no grasps"));
   check_failure(run_quadrille("show " + folder.path("none.lcm")), "no such file");
   check_failure(run_quadrille("show " + folder.write("text.lcm", "no log")), "is not an LCM log");
@@ -129,7 +155,9 @@ TEST_CASE("the status of the processes is shown in a line, with its warnings", "
                  "superseded 3, refused 3, failed 0, without a pose 5\n      the receive buffer is "
                  "small\nANY: planner at 0 us: received 30 clouds (0.0 Hz) and 27 quadrics, "
                  "published 26, missing 0, without their cloud 1, "));
-  CHECK(contains(run.err, "1 message of quadrics, boxes, grasps or status damaged"));
+  CHECK(contains(run.err,
+                 "1 message of quadrics, boxes, bodies, grasps or status "
+                 "damaged"));
   CHECK_FALSE(contains(run.err, "holds no quadrics"));
 }
 

@@ -1,10 +1,13 @@
 #include "view/log/log_frames.hpp"
 
 #include <atomic>
+#include <lcmtypes/quadrille/robot_t.hpp>
 #include <stdexcept>
 #include <thread>
 
+#include "log/event_log.hpp"
 #include "logs/cloud_log_writer.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 #include "view/log/log_backend.hpp"
@@ -34,22 +37,49 @@ TEST_CASE("the clouds of a log come in any order", "[view][log]") {
   REQUIRE(frames.utimes().size() == 6);
   CHECK(frames.utimes()[1] - frames.utimes()[0] == 100000);
   for (const std::size_t number : {0, 5, 2, 3, 3, 1, 4}) {
-    const auto cloud = frames.load(number);
-    REQUIRE(cloud);
-    CHECK(cloud->message.cloud.points.at(0).x() == static_cast<float>(number));
+    const auto frame = frames.load(number);
+    REQUIRE(frame);
+    CHECK(frame->cloud.message.cloud.points.at(0).x() == static_cast<float>(number));
   }
   CHECK(!frames.load(6));
   CHECK_THROWS_AS(view::LogFrames(frames.path(), "OTHER"), std::runtime_error);
+}
+
+TEST_CASE("a cloud of a log comes with the robot's shapes that were told nearest in time",
+          "[view][log][robot]") {
+  const test::TempFolder folder;
+  const std::string path = folder.path("robot.lcm");
+  {
+    bus::LogWriter log(path);
+    PointCloud cloud;
+    cloud.points = {{0, 0, 1}};
+    const auto tell = [&](std::int64_t utime, double padding) {
+      robot_t robot{};
+      robot.utime = utime;
+      robot.padding = padding;
+      log.write(utime, "ROBOT", bus::encode(robot));
+    };
+    for (const std::int64_t utime : {10, 24, 40}) {
+      log.write(utime, "POINT_CLOUD",
+                bus::encode_cloud({utime, 0, cloud}, bus::CloudFormat::kDrake));
+      tell(utime + 2, 0.001 * static_cast<double>(utime));
+    }
+  }
+  view::LogFrames frames(path, "", 1.0, "ROBOT");
+  CHECK(frames.load(0)->robot == nullptr);
+  CHECK(frames.load(2)->robot->robot.padding == 0.024);
+  CHECK(frames.load(1)->robot->robot.padding == 0.010);
+  CHECK(view::LogFrames(path, "").load(2)->robot == nullptr);
 }
 
 TEST_CASE("each cloud is worked on once, however many ask for it", "[view][log]") {
   const test::TempFolder folder;
   std::atomic<int> worked{0};
   view::LogBackend backend(view::LogFrames(write_log(folder, 3), ""), {"franka", "wsg50"},
-                           [&](logs::LoggedCloud logged, const view::PlanChoice&) {
+                           [&](view::LogFrame frame, const view::PlanChoice&) {
                              ++worked;
                              view::Scene scene;
-                             scene.cloud = logged.message.cloud;
+                             scene.cloud = frame.cloud.message.cloud;
                              return scene;
                            });
   std::vector<std::thread> askers;

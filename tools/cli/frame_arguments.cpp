@@ -101,6 +101,13 @@ Eigen::Affine3d FrameArguments::from_file() const {
   return working_frame().inverse() * Eigen::Scaling(unit);
 }
 
+Placement FrameArguments::placement() const {
+  Placement placement;
+  placement.X_CK = placement.X_RK = working_frame();
+  placement.X_WK = camera.X_WK;
+  return placement;
+}
+
 void FrameArguments::place_viewpoint(PointCloud* cloud) const {
   if (camera.X_WK) cloud->viewpoint.setZero();
   if (viewpoint) cloud->viewpoint = *viewpoint;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "poses/placement.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace CLI {
@@ -53,6 +54,8 @@ struct FrameArguments {
   /// Returns the pose in C of the frame in which to work: the camera's frame if it is known,
   /// because there the pixels lie in rows; otherwise C itself.
   Eigen::Isometry3d working_frame() const;
+  /// Returns where the camera was; results are in C.
+  Placement placement() const;
   /// Sets the viewpoint of a cloud given in the working frame.
   void place_viewpoint(PointCloud* cloud) const;
 };

@@ -73,6 +73,20 @@ std::string describe_box(const Box& box) {
   return text;
 }
 
+std::string describe_body(const SceneBody& body) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    const double size = 1000.0 * body.size[i];
+    text += i == 0 ? "" : " x ";
+    text += body.seen[static_cast<std::size_t>(i)] ? fmt::format("{:.1f}", size)
+                                                   : fmt::format("({:.1f})", size);
+  }
+  text += " mm";
+  if (body.standing_on) text += fmt::format(", on {}", *body.standing_on);
+  if (!body.parts.empty()) text += fmt::format(", parts {}", fmt::join(body.parts, " "));
+  return text;
+}
+
 std::string describe_lump(const SceneBody& lump) {
   const Eigen::Vector3d size = 1000.0 * lump.size;
   return fmt::format("seen {:.0f} x {:.0f} x {:.0f} mm", size.x(), size.y(), size.z());

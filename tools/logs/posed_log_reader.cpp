@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "quadrille/bus/pose_message.hpp"
-#include "quadrille/bus/scene_messages.hpp"
 
 namespace quadrille::logs {
 
@@ -40,11 +39,8 @@ void PosedLogReader::take(const bus::LogReader::Event& event) {
   now_ = std::max(now_, event.utime);
   settle();
   if (!robot_channel_.empty() && event.channel == robot_channel_) {
-    auto decoded = bus::decode_robot(event.bytes);
-    if (auto* const robot = std::get_if<robot_t>(&decoded)) {
-      const std::int64_t utime = robot->utime;
-      robots_.add(utime, event.bytes.size(), std::make_shared<const robot_t>(std::move(*robot)));
-    }
+    const auto refused = robot_.add(event.bytes);
+    if (refused && robot_refusals_.count++ == 0) robot_refusals_.why_first = refused->detail;
   }
   if (event.channel != pose_channel_) return;
   const auto decoded = bus::decode_pose(event.bytes);
@@ -55,9 +51,8 @@ void PosedLogReader::take(const bus::LogReader::Event& event) {
 /// Settles the clouds whose poses are known, or whose waiting time is over, in their order.
 void PosedLogReader::settle(bool is_end) {
   while (auto due = waiting_.take_due(now_, is_end)) {
-    const auto* const robot = robots_.nearest(due->cloud.message.utime);
-    ready_.push_back(
-        {std::move(due->cloud), std::move(due->pose), robot == nullptr ? nullptr : *robot});
+    auto robot = robot_.at(due->cloud.message.utime);
+    ready_.push_back({std::move(due->cloud), std::move(due->pose), std::move(robot)});
   }
 }
 

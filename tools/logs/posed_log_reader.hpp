@@ -3,14 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <lcmtypes/quadrille/robot_t.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "logs/cloud_log_reader.hpp"
 #include "poses/camera_poses.hpp"
-#include "poses/timed_values.hpp"
+#include "poses/robot_trail.hpp"
 #include "poses/waiting_clouds.hpp"
 
 namespace quadrille::logs {
@@ -19,8 +18,14 @@ namespace quadrille::logs {
 struct PosedCloud {
   LoggedCloud cloud;
   CameraPose pose;
-  /// The message on the robot's own shapes that was nearest in time; null if none had come.
-  std::shared_ptr<const robot_t> robot;
+  /// The robot's own shapes that were told nearest in time; null if none had been.
+  std::shared_ptr<const RobotState> robot;
+};
+
+/// Messages on the robot's own shapes that were refused.
+struct RobotRefusals {
+  int count = 0;
+  std::string why_first;
 };
 
 /// Reads the clouds of a moving camera, and its poses, from an LCM log. Each cloud gets the pose
@@ -47,16 +52,16 @@ class PosedLogReader {
 
   /// The reader of the clouds, which knows what else the log holds.
   const CloudLogReader& clouds() const { return clouds_; }
+  /// Messages on the robot that were refused so far, and why the first was.
+  const RobotRefusals& robot_refusals() const { return robot_refusals_; }
 
  private:
   void take(const bus::LogReader::Event& event);
   void settle(bool is_end = false);
 
-  // Limits of the messages on the robot, in number and bytes, as the processes have them.
-  static constexpr std::size_t kMaxRobots = 256, kMaxRobotBytes = std::size_t{64} << 20;
-
   std::string pose_channel_, robot_channel_;
-  TimedValues<std::shared_ptr<const robot_t>> robots_{kMaxRobots, kMaxRobotBytes};
+  RobotTrail robot_;
+  RobotRefusals robot_refusals_;
   /// Clouds whose poses are not known yet.
   WaitingClouds<LoggedCloud> waiting_;
   CloudLogReader clouds_;

@@ -16,17 +16,15 @@
 #include "io/file_bytes.hpp"
 #include "log/event_log.hpp"
 #include "logs/posed_log_reader.hpp"
+#include "poses/cloud_frame.hpp"
+#include "poses/placement.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
-#include "quadrille/robot_of_log.hpp"
 
 namespace quadrille {
 namespace {
 
 using Visitor = std::function<void(InputCloud)>;
-
-/// Name of the frame of the camera's poses, as the processes have it.
-constexpr const char* kWorld = "world";
 
 /// A cloud of a log, or why it has none.
 struct LogCloud {
@@ -47,6 +45,16 @@ logs::PosedLogReader open_log(const std::string& path, const InputArguments& arg
           arguments.robot_channel};
 }
 
+/// Returns the placement of a cloud in its camera's frame whose results are in the fixed frame.
+Placement in_world_of(const CameraPose& pose) {
+  Placement placement;
+  placement.X_WK = pose.X_WK;
+  placement.X_RK = pose.X_WK.value_or(Eigen::Isometry3d::Identity());
+  placement.frame = to_string(CloudFrame::kWorld);
+  placement.lack = pose.detail;
+  return placement;
+}
+
 /// Reads on to the next cloud of a log; `number` counts its clouds from 1.
 std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const std::string& path,
                                           const InputArguments& arguments, int number) {
@@ -58,19 +66,19 @@ std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const st
   bus::CloudMessage& message = posed->cloud.message;
   const bool in_world = !arguments.pose_channel.empty();
   const std::string frame = message.cloud.frame;
+  const Placement placement = in_world ? in_world_of(posed->pose) : arguments.frames.placement();
+  found.lack = placement.lack;
+  input.X_CK = placement.X_RK;
+  input.cloud = moved(std::move(message.cloud), placement.X_CK.inverse());
   if (in_world) {
-    found.lack = posed->pose.detail;
-    input.X_CK = posed->pose.X_WK.value_or(Eigen::Isometry3d::Identity());
-    input.cloud = std::move(message.cloud);
-    input.cloud.frame = kWorld;
+    input.cloud.frame = placement.frame;
   } else {
-    input.X_CK = arguments.frames.working_frame();
-    input.cloud = moved(std::move(message.cloud), input.X_CK.inverse());
     arguments.frames.place_viewpoint(&input.cloud);
   }
   if (posed->robot && found.lack.empty()) {
+    input.attached = posed->robot->attached;
     try {
-      place_robot(*posed->robot, frame, in_world, in_world || arguments.frames.camera.X_WK, &input);
+      input.robot = posed->robot->in_camera_frame(placement, frame);
     } catch (const std::invalid_argument& error) {
       found.robot_lack = error.what();
     }
@@ -119,13 +127,21 @@ bool lacks_poses(const InputArguments& arguments, int clouds) {
          !arguments.frames.camera.X_WK;
 }
 
-/// Says that the robot's points stay in clouds; empty if nothing was missing.
-std::vector<std::string> warnings_of_robot(const std::string& lack, const std::string& channel) {
-  if (lack.empty()) return {};
-  return {
-      fmt::format("the robot's shapes on {} cannot be placed, so its points are taken for "
-                  "things: {}",
-                  printable(channel), lack)};
+/// Adds warnings that the robot's points stay in clouds.
+/// @param lack  why shapes that were told could not be placed; empty if none was
+void warn_of_robot(const std::string& lack, const logs::RobotRefusals& refusals,
+                   const std::string& channel, std::vector<std::string>* warnings) {
+  if (!lack.empty()) {
+    warnings->push_back(
+        fmt::format("the robot's shapes on {} cannot be placed, so its points are taken for "
+                    "things: {}",
+                    printable(channel), lack));
+  }
+  if (refusals.count == 0) return;
+  warnings->push_back(
+      fmt::format("refused {} on {}, so points of the robot may be taken for things; the first: {}",
+                  io::count_of(static_cast<std::size_t>(refusals.count), "message"),
+                  printable(channel), refusals.why_first));
 }
 
 constexpr const char* kUnmoved =
@@ -152,9 +168,8 @@ std::vector<std::string> visit_numbered(const LogName& log, const InputArguments
     }
     input.warnings = warnings_about(reader.clouds(), arguments.channel, {{input.channel, 1}});
     if (lacks_poses(arguments, clouds)) input.warnings.push_back(kUnmoved);
-    for (std::string& lack : warnings_of_robot(found->robot_lack, arguments.robot_channel)) {
-      input.warnings.push_back(std::move(lack));
-    }
+    warn_of_robot(found->robot_lack, reader.robot_refusals(), arguments.robot_channel,
+                  &input.warnings);
     std::vector<std::string> warnings = input.warnings;
     visit(std::move(input));
     return warnings;
@@ -214,9 +229,7 @@ std::vector<std::string> visit_all(const std::string& path, const InputArguments
   std::vector<std::string> warnings = warnings_about(reader.clouds(), arguments.channel, clouds);
   if (poseless.clouds > 0) warnings.push_back(poseless.describe(number));
   if (lacks_poses(arguments, number)) warnings.push_back(kUnmoved);
-  for (std::string& lack : warnings_of_robot(robot_lack, arguments.robot_channel)) {
-    warnings.push_back(std::move(lack));
-  }
+  warn_of_robot(robot_lack, reader.robot_refusals(), arguments.robot_channel, &warnings);
   if (!last) return warnings;
   last->warnings = warnings;
   visit(std::move(*last));

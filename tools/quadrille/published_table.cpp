@@ -54,6 +54,28 @@ std::string published_table(const std::string& channel, const bus::BoxesMessage&
   return text;
 }
 
+std::string published_table(const std::string& channel, const bus::BodiesMessage& message) {
+  std::string text = fmt::format("{}: cloud {} us, frame '{}', bodies: {}\n", printable(channel),
+                                 message.utime, printable(message.frame), message.bodies.size());
+  for (const SceneBody& body : message.bodies) {
+    const Eigen::Vector3d p = body.X_CB.translation();
+    text += fmt::format("{:>4}  {:<22} {:>6} points  at [m] {:>7.3f} {:>7.3f} {:>7.3f}  {}\n",
+                        body.id, to_string(body.kind), body.points, p.x(), p.y(), p.z(),
+                        io::describe_body(body));
+  }
+  return text;
+}
+
+std::string published_table(const std::string& channel, const bus::BodyTracksMessage& message) {
+  std::string text =
+      fmt::format("{}: cloud {} us, frame '{}', tracks of bodies: {}\n", printable(channel),
+                  message.utime, printable(message.frame), message.track_of.size());
+  for (const auto& [id, track] : message.track_of) {
+    text += fmt::format("{:>4}  track {}\n", id, track);
+  }
+  return text;
+}
+
 std::string published_table(const std::string& channel, const grasps_t& message,
                             std::size_t max_grasps) {
   const std::string asked =

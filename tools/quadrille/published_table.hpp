@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -16,6 +18,13 @@ std::string published_table(const std::string& channel, const bus::QuadricsMessa
 
 /// Returns a readable table of the boxes of one message: a line about its cloud, then one per box.
 std::string published_table(const std::string& channel, const bus::BoxesMessage& message);
+
+/// Returns a readable table of the bodies of one message: a line about its cloud, then one per
+/// body.
+std::string published_table(const std::string& channel, const bus::BodiesMessage& message);
+
+/// Returns a line about the cloud of one message, then one per body that has a track.
+std::string published_table(const std::string& channel, const bus::BodyTracksMessage& message);
 
 /// Returns a readable table of the best grasps of one message: a line about its cloud, then one per
 /// grasp; if there are none, what was refused and why.

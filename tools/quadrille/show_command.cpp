@@ -15,6 +15,8 @@
 #include "cli/process_arguments.hpp"
 #include "io/describe.hpp"
 #include "log/event_log.hpp"
+#include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/body_tracks_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -51,13 +53,16 @@ bool show_as(const std::string& channel, const bus::Decoded<Message>& decoded, S
   return true;
 }
 
-/// Prints the event if it holds quadrics, boxes, grasps or the status of a process.
+/// Prints the event if it holds quadrics, boxes, bodies, their tracks, grasps or the status of a
+/// process.
 void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* shown) {
   const std::string& channel = event.channel;
   const std::span<const std::byte> bytes = event.bytes;
   if (show_as(channel, bus::decode_quadrics(bytes), shown)) return;
   if (show_as(channel, bus::decode_grasps(bytes), shown, max_grasps)) return;
   if (show_as(channel, bus::decode_boxes(bytes), shown)) return;
+  if (show_as(channel, bus::decode_bodies(bytes), shown)) return;
+  if (show_as(channel, bus::decode_body_tracks(bytes), shown)) return;
   if (show_as(channel, bus::decode_detector_status(bytes), shown)) return;
   show_as(channel, bus::decode_planner_status(bytes), shown);
 }
@@ -69,7 +74,8 @@ std::string describe_nothing(const std::string& channel,
     return "holds no quadrics and no grasps; record QUADRICS and GRASPS";
   }
   return fmt::format(
-      "holds no quadrics, boxes, grasps or status on {}, but events on {}; name another --channel",
+      "holds no quadrics, boxes, bodies, grasps or status on {}, but events on {}; name another "
+      "--channel",
       printable(channel), io::list_channels(channels));
 }
 
@@ -86,7 +92,7 @@ void run(const ShowArguments& arguments) {
   if (log.survey().defect) warnings.push_back(*log.survey().defect);
   if (shown.damaged > 0) {
     warnings.push_back(io::count_of(shown.damaged, "message") +
-                       " of quadrics, boxes, grasps or status damaged");
+                       " of quadrics, boxes, bodies, grasps or status damaged");
   }
   if (shown.messages == 0) {
     warnings.push_back(describe_nothing(arguments.channel, channels));
@@ -99,7 +105,8 @@ void run(const ShowArguments& arguments) {
 void add_show_command(CLI::App& app) {
   auto arguments = std::make_shared<ShowArguments>();
   CLI::App* command = app.add_subcommand(
-      "show", "Print the quadrics, grasps and status of the processes that an LCM log holds");
+      "show",
+      "Print the quadrics, bodies, grasps and status of the processes that an LCM log holds");
   command->add_option("LOG", arguments->log, "What was recorded on the bus (.lcm)")->required();
   add_channel_option(*command, "--channel", arguments->channel, "messages to print; else all");
   command->add_option("--max-grasps", arguments->max_grasps, "Grasps to print of each cloud")

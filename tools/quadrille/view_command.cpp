@@ -26,7 +26,10 @@
 #include "io/planner/config.hpp"
 #include "io/planner/gripper_file.hpp"
 #include "link/url.hpp"
+#include "poses/placement.hpp"
+#include "poses/robot_state.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/grasping/shape.hpp"
 #include "run/stop.hpp"
 #include "view/http/request_guard.hpp"
 #include "view/live/live_backend.hpp"
@@ -56,6 +59,7 @@ view::PlanSetup setup_of(const ViewArguments& arguments) {
   return {detector.options,
           arguments.planner.overrule(config.planner, arguments.detector.threads),
           arguments.planner.gripper(),
+          {},
           {},
           arguments.limits};
 }
@@ -94,20 +98,42 @@ std::vector<std::string> known_grippers(const std::string& given) {
   return names;
 }
 
+/// Adds what a robot says of itself to the setup of one cloud.
+void add_robot(const RobotState& robot, const Placement& placement, const std::string& cloud_frame,
+               view::PlanSetup* setup, std::vector<std::string>* warnings) {
+  for (const SolidShape& shape : robot.attached) {
+    setup->query.attached.push_back(with_geometry(shape));
+  }
+  try {
+    setup->robot = moved(robot.in_camera_frame(placement, cloud_frame), placement.X_RK);
+  } catch (const std::invalid_argument& error) {
+    warnings->push_back(
+        std::string("the robot's shapes cannot be placed, so its points are taken for things: ") +
+        error.what());
+  }
+}
+
 std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
   const view::PlanSetup setup = setup_of(arguments);
-  const auto make_scene = [frames = arguments.frames, setup](logs::LoggedCloud logged,
+  const auto make_scene = [frames = arguments.frames, setup](view::LogFrame frame,
                                                              const view::PlanChoice& choice) {
-    const Eigen::Isometry3d X_CK = frames.working_frame();
-    PointCloud cloud = moved(std::move(logged.message.cloud), X_CK.inverse());
+    const logs::LoggedCloud& logged = frame.cloud;
+    const Placement placement = frames.placement();
+    view::PlanSetup chosen_setup = chosen(setup, choice);
+    std::vector<std::string> warnings;
+    if (frame.robot)
+      add_robot(*frame.robot, placement, logged.message.cloud.frame, &chosen_setup, &warnings);
+    PointCloud cloud = moved(logged.message.cloud, placement.X_CK.inverse());
     frames.place_viewpoint(&cloud);
-    view::Scene scene = scene_of_cloud(cloud, X_CK, chosen(setup, choice));
+    view::Scene scene = scene_of_cloud(cloud, placement.X_RK, chosen_setup);
+    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
     scene.name = logged.channel;
     scene.utime = logged.message.utime;
     scene.seq = logged.message.seq;
     return scene;
   };
-  view::LogFrames frames(arguments.in_log, arguments.channel, arguments.frames.unit);
+  view::LogFrames frames(arguments.in_log, arguments.channel, arguments.frames.unit,
+                         arguments.channels.robot);
   if (frames.defect()) print_warnings(arguments.in_log, {*frames.defect()});
   return std::make_unique<view::LogBackend>(std::move(frames), known_grippers(setup.gripper.name),
                                             make_scene, arguments.limits);

@@ -37,7 +37,7 @@ std::string outcome_of(const study::GraspRecord& record) {
 
 view::Scene scene_of(const study::StudyInput& input, const std::string& name,
                      const study::StudyOptions& options) {
-  const view::PlanSetup setup = {options.detector, options.plan, options.gripper, {}, {}};
+  const view::PlanSetup setup = {options.detector, options.plan, options.gripper, {}, {}, {}};
   view::Scene scene = view::scene_of_cloud(input.cloud, input.X_CK, setup);
   scene.name = name;
   for (const study::GraspRecord& record : study::study_scene(input, options).grasps) {

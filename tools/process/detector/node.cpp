@@ -9,6 +9,7 @@
 
 #include "io/json/shapes_file.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/poses/placed_cloud.hpp"
 #include "process/runtime/status/process_info.hpp"
 #include "process/runtime/watch/other_senders.hpp"
 #include "quadrille/bus/bodies_message.hpp"

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "poses/placement.hpp"
 #include "process/detector/cloud_channels.hpp"
 #include "process/detector/settings.hpp"
 #include "process/detector/trackers.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/poses/forgetting.hpp"
-#include "process/runtime/poses/placement.hpp"
 #include "process/runtime/poses/posed_clouds.hpp"
 #include "process/runtime/poses/posed_views.hpp"
 #include "process/runtime/refusals.hpp"

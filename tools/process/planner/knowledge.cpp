@@ -5,7 +5,8 @@
 
 #include "io/file_bytes.hpp"
 #include "io/planner/octree_file.hpp"
-#include "process/runtime/poses/named_frame.hpp"
+#include "poses/cloud_frame.hpp"
+#include "poses/placement.hpp"
 #include "quadrille/bus/occupancy_message.hpp"
 #include "quadrille/bus/scene_messages.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"

@@ -15,7 +15,7 @@
 #include "process/planner/viewer_hands.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/poses/forgetting.hpp"
-#include "process/runtime/poses/named_frame.hpp"
+#include "process/runtime/poses/placed_cloud.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detection.hpp"

@@ -9,6 +9,7 @@
 
 #include "process/planner/node.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/poses/placed_cloud.hpp"
 #include "run/clock.hpp"
 
 namespace quadrille {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "process/runtime/logging.hpp"
+#include "process/runtime/poses/placed_cloud.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/remedies.hpp"

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "process/runtime/poses/placement.hpp"
+#include "poses/placement.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/body.hpp"

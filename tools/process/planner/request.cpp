@@ -6,7 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/quadric.hpp"

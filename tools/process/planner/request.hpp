@@ -3,7 +3,7 @@
 #include <lcmtypes/quadrille/grasp_request_t.hpp>
 #include <string>
 
-#include "process/runtime/poses/placement.hpp"
+#include "poses/placement.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 
 namespace quadrille {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/process_arguments.hpp"
-#include "process/runtime/poses/cloud_frame.hpp"
+#include "process/runtime/poses/cloud_frames.hpp"
 #include "process/runtime/poses/view_camera.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "poses/robot_trail.hpp"
 #include "view/live/camera_trail.hpp"
-#include "view/live/robot_trail.hpp"
 
 namespace quadrille::view {
 

@@ -10,25 +10,30 @@
 namespace quadrille::view {
 namespace {
 
-/// Returns the solids of a message in the frame of the scene; none if that is not possible. A shape
-/// that makes no solid is left out, since the processes tell of it.
+/// Returns shapes in the frame of the scene; none, with a warning, if their place is not known.
 /// @param what  what the shapes are, such as "the robot's shapes"
-std::vector<SolidShape> solids_of(const std::vector<collision_shape_t>& shapes,
-                                  const std::string& frame, const std::string& what, bool has_poses,
-                                  const SceneFrames& frames, Scene* scene) {
-  std::vector<SolidShape> solids;
+std::vector<SolidShape> placed(std::vector<SolidShape> shapes, const std::string& frame,
+                               const std::string& what, bool has_poses, const SceneFrames& frames,
+                               Scene* scene) {
+  if (shapes.empty()) return shapes;
   const auto X_SF = frames.X_SF(frame);
-  if (!X_SF && !shapes.empty()) {
+  if (!X_SF) {
     scene->warnings.push_back(what + " are not shown: they are in frame '" + printable(frame) +
                               "', whose place in this scene is not known" +
                               (has_poses ? "" : std::string("; ") + kPoseRemedy));
+    return {};
   }
-  if (!X_SF) return solids;
-  for (const collision_shape_t& message : shapes) {
+  for (SolidShape& shape : shapes) shape.X_CS = *X_SF * shape.X_CS;
+  return shapes;
+}
+
+/// Returns the solids of a message. A shape that makes no solid is left out, since the processes
+/// tell of it.
+std::vector<SolidShape> solids_of(const collision_shapes_t& message) {
+  std::vector<SolidShape> solids;
+  for (const collision_shape_t& shape : message.shapes) {
     try {
-      SolidShape shape = bus::from_message(message);
-      shape.X_CS = *X_SF * shape.X_CS;
-      solids.push_back(std::move(shape));
+      solids.push_back(bus::from_message(shape));
     } catch (const std::invalid_argument&) {
       continue;
     }
@@ -52,13 +57,13 @@ void add_surroundings(const LatestMessages& messages, const SceneFrames& frames,
   const bool has_poses = messages.camera.has_value();
   if (const auto robot = messages.robot.at(scene->utime)) {
     scene->robot =
-        solids_of(robot->shapes, robot->frame, "the robot's shapes", has_poses, frames, scene);
+        placed(robot->robot.shapes, robot->frame, "the robot's shapes", has_poses, frames, scene);
   }
   if (messages.obstacles) {
     const auto decoded = bus::decode_shapes(*messages.obstacles);
     if (const auto* const told = std::get_if<collision_shapes_t>(&decoded)) {
       scene->obstacles =
-          solids_of(told->shapes, told->frame, "the obstacles", has_poses, frames, scene);
+          placed(solids_of(*told), told->frame, "the obstacles", has_poses, frames, scene);
     }
   }
   if (messages.camera) add_camera(*messages.camera, frames, scene);

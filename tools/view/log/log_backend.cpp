@@ -51,10 +51,10 @@ Pack LogBackend::frame(std::size_t number, const PlanChoice& choice) {
   const std::lock_guard lock(work_mutex_);
   // Another request may have made the scene while this one was waiting.
   if (const Pack pack = cached(key)) return pack;
-  auto cloud = frames_.load(number);
-  if (!cloud) return nullptr;
+  auto frame = frames_.load(number);
+  if (!frame) return nullptr;
   const auto pack = std::make_shared<const std::string>(
-      pack_scene(make_scene_(std::move(*cloud), choice), limits_));
+      pack_scene(make_scene_(std::move(*frame), choice), limits_));
   keep(key, pack);
   return pack;
 }

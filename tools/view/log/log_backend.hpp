@@ -15,7 +15,7 @@ namespace quadrille::view {
 
 /// Detects and plans on one cloud of a log.
 /// @throws std::invalid_argument if the choice names something that does not exist
-using MakeScene = std::function<Scene(logs::LoggedCloud cloud, const PlanChoice& choice)>;
+using MakeScene = std::function<Scene(LogFrame frame, const PlanChoice& choice)>;
 
 /// Shows the clouds of a log. Each cloud is processed when it is first requested, one at a time.
 class LogBackend : public Backend {

@@ -7,8 +7,16 @@
 #include <vector>
 
 #include "logs/cloud_log_reader.hpp"
+#include "poses/robot_trail.hpp"
 
 namespace quadrille::view {
+
+/// One cloud of a log, with what the robot said of itself.
+struct LogFrame {
+  logs::LoggedCloud cloud;
+  /// The robot's own shapes that were told nearest in time; null if none had been.
+  std::shared_ptr<const RobotState> robot;
+};
 
 /// Gives access to the clouds of an LCM log in any order. Going forward is fast; going back reads
 /// the log from its start.
@@ -16,8 +24,10 @@ class LogFrames {
  public:
   /// Reads the whole log once to find its clouds.
   /// @param unit  length of the unit of the clouds' coordinates [m]
+  /// @param robot_channel  channel of the robot's own shapes (quadrille.robot_t); empty for none
   /// @throws std::runtime_error as logs::CloudLogReader does, and if there is no cloud
-  LogFrames(const std::string& path, const std::string& channel, double unit = 1.0);
+  LogFrames(const std::string& path, const std::string& channel, double unit = 1.0,
+            const std::string& robot_channel = "");
 
   /// Time at which each cloud was taken [us].
   const std::vector<std::int64_t>& utimes() const { return utimes_; }
@@ -26,15 +36,16 @@ class LogFrames {
   const std::optional<std::string>& defect() const { return defect_; }
 
   /// Returns the cloud with this number, counted from 0; nullopt if there is none.
-  std::optional<logs::LoggedCloud> load(std::size_t number);
+  std::optional<LogFrame> load(std::size_t number);
 
  private:
   std::string path_, channel_;
   double unit_;
   std::optional<std::string> defect_;
   std::vector<std::int64_t> utimes_;
-  /// Position of each cloud among all events of the log.
+  /// Position of each cloud among all events of the log, and the robot's shapes for it.
   std::vector<std::int64_t> events_;
+  std::vector<std::shared_ptr<const RobotState>> robots_;
   std::unique_ptr<bus::LogReader> reader_;
   std::int64_t next_event_ = 0;
 };

@@ -10,8 +10,10 @@ namespace quadrille::view {
 
 Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
                      const PlanSetup& setup) {
-  DetectionResult found = detect(cloud, setup.detector);
-  const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan, {}, found.boxes,
+  const RobotShapes robot_K = moved(setup.robot, X_CK.inverse());
+  DetectionResult found = detect(robot_K.taken_from(cloud), setup.detector);
+  const Surroundings known{.robot = robot_K};
+  const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan, known, found.boxes,
                          found.bodies);
   const GraspQuery query = moved(completed(setup.query, setup.plan), X_CK.inverse());
   GraspPlan plan = asked.plan(query);
@@ -19,6 +21,7 @@ Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
   Scene scene = scene_of_result(cloud, found, X_CK);
   add_plan(asked, query, std::move(plan), setup.gripper, setup.plan.unknown, X_CK, setup.limits,
            &scene);
+  scene.robot = setup.robot.shapes;
   return scene;
 }
 

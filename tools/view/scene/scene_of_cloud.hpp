@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quadrille/detector/options.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "view/log/log_backend.hpp"
 
@@ -13,6 +14,8 @@ struct PlanSetup {
   Gripper gripper;
   /// The query, in the frame C of the scene.
   GraspQuery query;
+  /// The robot's own shapes, in C.
+  RobotShapes robot;
   PackLimits limits;
 };
 

@@ -3,10 +3,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "poses/cloud_frame.hpp"
+#include "poses/placement.hpp"
 #include "poses/pose_history.hpp"
 #include "process/runtime/logging.hpp"
-#include "process/runtime/poses/cloud_frame.hpp"
-#include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 
 namespace quadrille {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "poses/placement.hpp"
 #include "process/runtime/node.hpp"
-#include "process/runtime/poses/placement.hpp"
 #include "quadrille/bus/rejection.hpp"
 
 namespace quadrille {

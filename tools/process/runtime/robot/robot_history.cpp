@@ -4,55 +4,24 @@
 #include <stdexcept>
 #include <utility>
 
-#include "process/runtime/poses/named_frame.hpp"
-#include "quadrille/bus/scene_messages.hpp"
+#include "poses/cloud_frame.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
-namespace {
-
-/// @throws std::invalid_argument if a shape is no solid
-RobotState state_of(const robot_t& message) {
-  RobotState state{message.utime, message.frame, {{}, message.padding}, {}};
-  for (const collision_shape_t& shape : message.shapes) {
-    state.robot.shapes.push_back(bus::from_message(shape));
-  }
-  for (const collision_shape_t& shape : message.attached) {
-    state.attached.push_back(bus::from_message(shape));
-  }
-  state.robot.check();
-  return state;
-}
-
-}  // namespace
-
 void RobotHistory::receive(const std::string& channel, std::span<const std::byte> bytes,
                            Refusals* refusals) {
-  const auto message = refusals->accept(channel, bus::decode_robot(bytes));
-  if (!message) return;
-  try {
-    RobotState state = state_of(*message);
-    states_.add(message->utime, bytes.size(), std::move(state));
-  } catch (const std::invalid_argument& error) {
-    refusals->add(channel, {bus::RejectReason::kBadValue, error.what()});
-  }
+  if (const auto refused = told_.add(bytes)) refusals->add(channel, *refused);
 }
 
 /// Returns the shapes in a frame D, in which `X_DF` places the frames that messages name.
 RobotShapes RobotHistory::all_at(
     std::int64_t utime,
     const std::function<Eigen::Isometry3d(const std::string& frame)>& X_DF) const {
-  RobotShapes all;
-  all.padding = 0.0;
-  const auto add = [&](const RobotState& state) {
-    if (state.robot.shapes.empty()) return;
-    const RobotShapes robot_D = moved(state.robot, X_DF(state.frame));
-    all.shapes.insert(all.shapes.end(), robot_D.shapes.begin(), robot_D.shapes.end());
-    all.padding = std::max(all.padding, robot_D.padding);
+  const auto in_D = [&](const RobotState& state) {
+    return state.robot.shapes.empty() ? RobotShapes{} : moved(state.robot, X_DF(state.frame));
   };
-  add(given_);
-  if (const RobotState* state = states_.nearest(utime)) add(*state);
-  return all;
+  const auto state = told_.at(utime);
+  return state == nullptr ? in_D(given_) : joined(in_D(given_), in_D(*state));
 }
 
 RobotShapes RobotHistory::at(std::int64_t utime, const Placement& placement,
@@ -84,7 +53,7 @@ std::optional<RobotShapes> RobotHistory::at_view(std::int64_t utime, const Eigen
 
 std::vector<SolidShape> RobotHistory::attached_at(std::int64_t utime) const {
   std::vector<SolidShape> all = given_.attached;
-  if (const RobotState* state = states_.nearest(utime)) {
+  if (const auto state = told_.at(utime)) {
     all.insert(all.end(), state->attached.begin(), state->attached.end());
   }
   return all;

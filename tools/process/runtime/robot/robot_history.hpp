@@ -9,33 +9,18 @@
 #include <utility>
 #include <vector>
 
-#include "poses/timed_values.hpp"
-#include "process/runtime/poses/placement.hpp"
+#include "poses/placement.hpp"
+#include "poses/robot_state.hpp"
+#include "poses/robot_trail.hpp"
 #include "process/runtime/refusals.hpp"
 #include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/solid_shape.hpp"
 
 namespace quadrille {
 
-/// The robot's shapes at one time, as a message or the command line says.
-struct RobotState {
-  /// When they were so [us]; 0: always.
-  std::int64_t utime = 0;
-  /// Name of the frame of the shapes, see pose_of_camera().
-  std::string frame;
-  RobotShapes robot;
-  /// Shapes that are fixed to the hand, in its frame G.
-  std::vector<SolidShape> attached;
-};
-
 /// The shapes of a robot that moves. Not for two threads at once.
 class RobotHistory {
  public:
-  /// Limits of the states that messages tell, in number, and in bytes of the messages but for the
-  /// newest. Clouds are handled before a robot that tells its shapes a hundred times a second has
-  /// sent so many.
-  static constexpr std::size_t kMaxStates = 256, kMaxBytes = std::size_t{64} << 20;
-
   /// @param given  the shapes of the command line, which are there besides those of messages
   explicit RobotHistory(RobotState given) : given_(std::move(given)) {}
 
@@ -66,7 +51,7 @@ class RobotHistory {
                      const std::function<Eigen::Isometry3d(const std::string& frame)>& X_DF) const;
 
   RobotState given_;
-  TimedValues<RobotState> states_{kMaxStates, kMaxBytes};
+  RobotTrail told_;
 };
 
 }  // namespace quadrille

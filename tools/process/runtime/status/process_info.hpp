@@ -8,7 +8,7 @@
 
 #include "cli/process_arguments.hpp"
 #include "io/settings/setting_text.hpp"
-#include "process/runtime/poses/cloud_frame.hpp"
+#include "process/runtime/poses/cloud_frames.hpp"
 
 namespace quadrille {
 

@@ -1,4 +1,4 @@
-#include "process/runtime/poses/placement.hpp"
+#include "process/runtime/poses/placed_cloud.hpp"
 
 #include "quadrille/detector/detection.hpp"
 

@@ -1,28 +1,16 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/setting.hpp"
+#include "poses/cloud_frame.hpp"
 
 namespace CLI {
 class App;
 }
 
 namespace quadrille {
-
-/// A frame in which clouds or results are given.
-enum class CloudFrame {
-  kCamera,  ///< K, the camera's frame: it looks along z from the origin
-  kWorld,   ///< W, the fixed frame in which the camera's poses are given
-};
-
-constexpr auto words_of(CloudFrame) {
-  return std::to_array<Word<CloudFrame>>(
-      {{"camera", CloudFrame::kCamera}, {"world", CloudFrame::kWorld}});
-}
 
 /// The frames of clouds and results, and the unit of clouds.
 struct CloudFrames {

@@ -1,4 +1,4 @@
-#include "process/runtime/poses/cloud_frame.hpp"
+#include "process/runtime/poses/cloud_frames.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,15 +1,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
-
-#include "poses/camera_poses.hpp"
-#include "process/runtime/poses/cloud_frame.hpp"
-#include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
@@ -31,15 +24,11 @@ struct Placement {
   }
 };
 
-/// Decodes a cloud in the unit of its frames, without colours, which no process needs.
-bus::Decoded<bus::CloudMessage> decode_cloud(std::span<const std::byte> bytes,
-                                             const CloudFrames& frames);
-
-/// Returns the placement of a cloud whose camera had this pose.
-Placement place(const CloudFrames& frames, const CameraPose& pose);
-
-/// Returns a cloud in frame K, in which the sensor of a cloud given in W is the origin.
-PointCloud in_camera_frame(const PointCloud& cloud, const Placement& placement,
-                           const CloudFrames& frames);
+/// Returns the pose of frame K, the camera's when it took a cloud, in the frame that a message
+/// names: "camera", "world", the name of the cloud's frame, or "" for the frame of the results.
+/// @param cloud_frame  name of the cloud's frame
+/// @throws std::invalid_argument if the frame or the pose is not known; the message says which
+Eigen::Isometry3d pose_of_camera(const std::string& frame, const Placement& placement,
+                                 const std::string& cloud_frame);
 
 }  // namespace quadrille

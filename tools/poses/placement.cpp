@@ -1,10 +1,10 @@
-#include "process/runtime/poses/named_frame.hpp"
+#include "poses/placement.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "process/runtime/poses/cloud_frame.hpp"
+#include "poses/cloud_frame.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {

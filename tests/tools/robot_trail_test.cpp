@@ -1,4 +1,4 @@
-#include "view/live/robot_trail.hpp"
+#include "poses/robot_trail.hpp"
 
 #include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
@@ -17,8 +17,8 @@ std::vector<std::byte> robot_bytes_at(std::int64_t utime, const std::string& fra
 
 }  // namespace
 
-TEST_CASE("a cloud gets the robot's message that is nearest in time", "[view][robot]") {
-  view::RobotTrail trail;
+TEST_CASE("a cloud gets the robot's message that is nearest in time", "[pose][robot]") {
+  RobotTrail trail;
   CHECK(trail.at(100) == nullptr);
   for (const std::int64_t utime : {100, 200, 300}) trail.add(robot_bytes_at(utime));
   CHECK(trail.at(220)->utime == 200);
@@ -34,27 +34,20 @@ TEST_CASE("a cloud gets the robot's message that is nearest in time", "[view][ro
   CHECK(trail.at(1)->utime == 70);
 }
 
-TEST_CASE("the robot's messages do not fill the memory", "[view][robot][hostile]") {
-  view::RobotTrail trail;
-  const auto most = static_cast<std::int64_t>(view::RobotTrail::kMaxMessages);
+TEST_CASE("the robot's messages do not fill the memory, and bad ones are refused",
+          "[pose][robot][hostile]") {
+  RobotTrail trail;
+  const auto most = static_cast<std::int64_t>(RobotTrail::kMaxStates);
   for (std::int64_t utime = 1; utime <= most + 10; ++utime) trail.add(robot_bytes_at(utime));
   CHECK(trail.at(1)->utime == 11);
-  robot_t large{};
-  large.attached.resize(200);
-  for (auto& shape : large.attached) {
-    shape.pose.quaternion[0] = 1.0;
-    shape.dimensions.resize(500);
-    shape.num_dimensions = 500;
-  }
-  large.num_attached = 200;
-  for (std::int64_t utime = 1000; utime < 1010; ++utime) {
-    large.utime = utime;
-    trail.add(bus::encode(large));
-  }
-  const auto kept =
-      static_cast<std::int64_t>(view::RobotTrail::kMaxBytes / bus::encode(large).size());
-  REQUIRE(kept < 10);
-  CHECK(trail.at(1)->utime == 1010 - kept);
-  trail.add(std::vector<std::byte>(100, std::byte{0xff}));
-  CHECK(trail.at(2000)->utime == 1009);
+  CHECK(trail.add(std::vector<std::byte>(100, std::byte{0xff}))->reason ==
+        bus::RejectReason::kUnknownType);
+  robot_t bad{};
+  bad.utime = most + 11;
+  bad.shapes.resize(1);
+  bad.shapes[0].kind = "sphere";
+  bad.shapes[0].pose.quaternion[0] = 1.0;
+  bad.num_shapes = 1;
+  CHECK(trail.add(bus::encode(bad))->reason == bus::RejectReason::kBadValue);
+  CHECK(trail.at(2000)->utime == most + 10);
 }
