@@ -6,6 +6,7 @@
 
 #include "base/quantile.hpp"
 #include "boxes/bounding_plane.hpp"
+#include "boxes/edge_radius.hpp"
 #include "boxes/sight_lines.hpp"
 
 namespace quadrille {
@@ -26,12 +27,17 @@ BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
 
 /// An end from the outlines of the faces that lie along the axis. Two outlines that were seen are
 /// averaged; otherwise the farther one counts.
-BoxEnd outline_end(const BoxDraft& draft, int axis, int upper) {
+BoxEnd outline_end(const BoxDraft& draft, int axis, int upper, double radius) {
+  const Eigen::Vector3d out_C = draft.out_C(axis, upper);
   std::vector<FaceEdge> edges;
   for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
-    if (i != axis)
-      edges.push_back(
-          edge_of(*draft.faces[i], draft.out_C(axis, upper), draft.seen_through[i], *draft.sight));
+    if (i == axis) continue;
+    const Face& face = *draft.faces[i];
+    FaceEdge& edge = edges.emplace_back(edge_of(face, out_C, draft.seen_through[i], *draft.sight));
+    if (!edge.seen || edge.meets) continue;
+    const double beyond = reach_beyond(face, edge.turn, radius, out_C, *draft.sight);
+    edge.at += beyond;
+    edge.std = std::hypot(edge.std, beyond / 3.0);
   }
   // Nothing is seen behind a face that stands alone, so this end starts at the face itself.
   if (edges.empty()) return {-plane_end(draft, *draft.faces[0], axis, !upper).at, 0.0, false};
@@ -74,9 +80,9 @@ BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes
 }
 
 BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& planes, int axis,
-                int upper) {
+                int upper, double radius) {
   if (const Face* face = draft.face_on(axis, upper)) return plane_end(draft, *face, axis, upper);
-  const BoxEnd end = outline_end(draft, axis, upper);
+  const BoxEnd end = outline_end(draft, axis, upper, radius);
   return end.seen ? rested(draft, planes, end, axis, upper) : end;
 }
 
@@ -110,11 +116,12 @@ BoxEnd bounded(const BoxDraft& draft, const std::vector<const Detection*>& plane
 
 }  // namespace
 
-BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
+BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes,
+                  double radius) {
   BoxEnds ends;
   for (int axis = 0; axis < 3; ++axis) {
     for (int upper = 0; upper < 2; ++upper) {
-      ends[axis][upper] = find_end(draft, planes, axis, upper);
+      ends[axis][upper] = find_end(draft, planes, axis, upper, radius);
     }
   }
   return ends;

@@ -30,7 +30,9 @@ using BoxEnds = std::array<std::array<BoxEnd, 2>, 3>;
 /// Finds the ends as far as they were seen, from the faces, their outlines, and the planes on which
 /// the outlines rest.
 /// @param planes  all detected planes except the faces
-BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes);
+/// @param radius  radius of the box's edges [m]
+BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes,
+                  double radius);
 
 /// Bounds the unseen ends: they may neither hide points that were seen nor cross a plane.
 BoxEnds bounded(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnds ends);

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "base/quantile.hpp"
+#include "boxes/edge_rows.hpp"
 #include "boxes/onto_plane.hpp"
+#include "boxes/turning_edge.hpp"
 
 namespace quadrille {
 namespace {
@@ -22,50 +24,9 @@ constexpr double kMaxSlant = 4.0;
 // the tolerance and with at least this many points.
 constexpr std::size_t kLeavingBands = 3;
 constexpr int kMinBandPoints = 8;
-
-/// A line of points that runs towards an edge.
-struct Row {
-  double end = -std::numeric_limits<double>::infinity();
-  Eigen::Vector3d last_C = Eigen::Vector3d::Zero();
-  /// Distance to the nearest point beyond the end, and whether it shows that the face ends there.
-  double beside = kAround;
-  bool seen = false;
-
-  bool empty() const { return !std::isfinite(end); }
-};
-
-/// Rows of points side by side, which run towards an edge.
-class Rows {
- public:
-  Rows(const Face& face, const Eigen::Vector3d& out_C, double width)
-      : out_C_(out_C), across_C_(face.n_C.cross(out_C)), width_(width) {
-    const auto [low, high] = face.reach(across_C_);
-    low_ = low;
-    rows_.resize(1 + static_cast<std::size_t>(std::max(0.0, (high - low) / width)));
-    for (const Eigen::Vector3d& p : face.points_C) {
-      if (Row* row = at(p)) {
-        const double end = out_C_.dot(p);
-        if (end > row->end) {
-          row->end = end;
-          row->last_C = p;
-        }
-      }
-    }
-  }
-
-  /// The row that contains a place in the plane; nullptr outside all rows.
-  Row* at(const Eigen::Vector3d& on_C) {
-    const double place = (across_C_.dot(on_C) - low_) / width_;
-    if (!(place >= 0.0 && place < static_cast<double>(rows_.size()))) return nullptr;
-    return &rows_[static_cast<std::size_t>(place)];
-  }
-  std::vector<Row>& all() { return rows_; }
-
- private:
-  Eigen::Vector3d out_C_, across_C_;
-  double width_, low_ = 0.0;
-  std::vector<Row> rows_;
-};
+// A surface that falls away from a face is another side if it leans out by less than this (20°), as
+// lean_of() has it; otherwise it is the face's own rounded edge.
+constexpr double kMaxLean = 0.36;
 
 /// Records for each row what was seen beside its end.
 void look_beside(const Face& face, const Eigen::Vector3d& out_C,
@@ -89,6 +50,25 @@ void look_beside(const Face& face, const Eigen::Vector3d& out_C,
     row->beside = beyond;
     row->seen = behind || touches;
   }
+}
+
+/// How far a surface that falls away from a face leads outward for each metre that it falls, by
+/// least squares to its points: 0 for a side at a right angle, more for a rounded or slanted edge.
+double lean_of(const Face& face, const Eigen::Vector3d& out_C, double end,
+               const std::vector<SeenThrough>& around, Rows& rows) {
+  const double tolerance = face.tolerance();
+  Eigen::Matrix2d S = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  for (const SeenThrough& seen : around) {
+    const double depth = -seen.height / tolerance;
+    if (!(depth >= 1.0 && depth < 1.0 + kLeavingBands) || !rows.at(seen.on_C)) continue;
+    const double beyond = out_C.dot(seen.p_C) - end;
+    if (std::abs(beyond) > kMaxSlant * depth * tolerance) continue;
+    const Eigen::Vector2d terms(1.0, depth);
+    S += terms * terms.transpose();
+    b += beyond * terms;
+  }
+  return S(0, 0) < kMinBandPoints ? 0.0 : S.ldlt().solve(b).y() / tolerance;
 }
 
 /// Position at which the surface that leaves a face at its edge would meet the face's plane. Its
@@ -166,7 +146,10 @@ FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
   const double spread = deviation(rows_that_tell, end);
   edge.std = std::hypot(0.5 * pitch, spread / std::sqrt(double(rows_that_tell.size())));
   if (!sight.single()) return edge;
-  const auto meeting = meeting_of(face, out_C, end, around, rows);
+  auto meeting = meeting_of(face, out_C, end, around, rows);
+  if (meeting && lean_of(face, out_C, end, around, rows) > kMaxLean) meeting.reset();
+  edge.meets = meeting.has_value();
+  if (edge.seen && !edge.meets) edge.turn = turning_edge(face, out_C, around, rows);
   if (meeting && *meeting < edge.at) {
     edge.std = std::hypot(edge.std, edge.at - *meeting);
     edge.at = *meeting;

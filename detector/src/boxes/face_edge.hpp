@@ -5,16 +5,10 @@
 
 #include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
+#include "boxes/seen_through_plane.hpp"
+#include "boxes/turning_edge.hpp"
 
 namespace quadrille {
-
-/// A point that was seen through a place in a face's plane.
-struct SeenThrough {
-  /// The seen point, the intersection of its line of sight with the plane, and the point's height
-  /// over the plane, positive on the side of the eye [m].
-  Eigen::Vector3d p_C, on_C;
-  double height = 0.0;
-};
 
 /// Projects points of the cloud along their lines of sight onto a face's plane.
 std::vector<SeenThrough> look_through(const Face& face,
@@ -29,6 +23,11 @@ struct FaceEdge {
   /// touches it. False if something in front hides the rest or the image ends; the face then
   /// reaches at least to `at`.
   bool seen = false;
+  /// True if another surface leaves the face here, so that `at` is where the two would meet if the
+  /// edge were sharp.
+  bool meets = false;
+  /// The rounded edge beyond `at`, if there is one.
+  TurningEdge turn;
 };
 
 /// Finds the edge of a face from the last points of rows that run towards it. The edge is their

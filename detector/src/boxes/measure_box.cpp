@@ -7,6 +7,7 @@
 #include "boxes/box_axes.hpp"
 #include "boxes/box_draft.hpp"
 #include "boxes/box_ends.hpp"
+#include "boxes/edge_radius.hpp"
 #include "boxes/sight_lines.hpp"
 
 namespace quadrille {
@@ -23,7 +24,8 @@ constexpr double kMaxDoubt = 0.1;
 
 // Score of a box of which no face was detected.
 constexpr double kUndetectedScore = 0.5;
-// Least share of the points in a box that lie on its faces, if one of these is only a patch.
+// Least share of the points in a box that lie on its faces and the edges between them, if one of
+// these is only a patch.
 constexpr double kMinOnFaces = 0.85;
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
@@ -67,24 +69,34 @@ bool has_patch(const BoxDraft& draft) {
                      [](const Face* face) { return face->is_patch; });
 }
 
-/// True if most of the points in the box lie on its faces, and few on edges that are rounded. On a
-/// round body they lie between two faces that only touch it.
-bool on_faces(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
+/// Distance between a point and the surface of a box whose edges and corners are rounded [m].
+double distance_to_surface(const Eigen::AlignedBox3d& box_A, double radius,
+                           const Eigen::Vector3d& p_A) {
+  const Eigen::Vector3d beyond =
+      (p_A - box_A.center()).cwiseAbs() - 0.5 * box_A.sizes() + Eigen::Vector3d::Constant(radius);
+  return std::abs(beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - radius);
+}
+
+/// True if most of the points in the box lie on its faces or on the edges between them. On a round
+/// body they lie between two faces that only touch it.
+bool on_faces(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A, double radius) {
   const double tolerance = draft.max_tolerance();
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(tolerance);
   const Eigen::AlignedBox3d around_A(box_A.min() - margin, box_A.max() + margin);
   int in_box = 0, on = 0;
   for (const Eigen::Vector3d& p_C : draft.around_C) {
-    if (!around_A.contains(draft.R_CA.transpose() * p_C)) continue;
+    const Eigen::Vector3d p_A = draft.R_CA.transpose() * p_C;
+    if (!around_A.contains(p_A)) continue;
     ++in_box;
-    on += std::any_of(draft.faces.begin(), draft.faces.end(), [&](const Face* face) {
-      return std::abs(face->height(p_C)) <= face->tolerance();
-    });
+    on += std::any_of(
+              draft.faces.begin(), draft.faces.end(),
+              [&](const Face* face) { return std::abs(face->height(p_C)) <= face->tolerance(); }) ||
+          (radius > 0.0 && distance_to_surface(box_A, radius, p_A) <= tolerance);
   }
   return on > kMinOnFaces * in_box;
 }
 
-bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
+bool is_solid(const BoxDraft& draft, const BoxEnds& ends, double radius) {
   const Eigen::AlignedBox3d box_A = seen_part(ends);
   const Eigen::Vector3d size = box_A.sizes();
   if (size.maxCoeff() > kMaxSide) return false;
@@ -95,7 +107,7 @@ bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
     if (doubt > kMaxDoubt * size[axis]) return false;
   }
   return alone || (all_filled(draft, box_A) && nothing_within(draft, box_A) &&
-                   (!has_patch(draft) || on_faces(draft, box_A)));
+                   (!has_patch(draft) || on_faces(draft, box_A, radius)));
 }
 
 /// True if the outline of a single face was seen all around and a plane parallel to it lies below:
@@ -174,8 +186,9 @@ bool is_rectangular(const BoxDraft& draft) {
 }
 
 std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
-  const BoxEnds seen = find_ends(draft, planes);
-  if (!is_solid(draft, seen)) return std::nullopt;
+  const double radius = edge_radius(draft);
+  const BoxEnds seen = find_ends(draft, planes, radius);
+  if (!is_solid(draft, seen, radius)) return std::nullopt;
   const BoxEnds ends = bounded(draft, planes, seen);
   if (draft.faces.size() == 1 && !is_top(ends)) return std::nullopt;
   return box_of(draft, ends);
