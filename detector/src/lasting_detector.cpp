@@ -46,7 +46,7 @@ struct LastingDetector::Views {
   /// Keeps the view of a scene, and joins it with the views before it.
   Scene add(std::int64_t utime, Scene scene, const Eigen::Isometry3d& X_WC, int camera) {
     if (scene.viewpoint().allFinite()) {
-      kept.add(utime, seen_view(*scene.views.front().pyramid, options), kept_parts(scene), X_WC,
+      kept.add(utime, seen_view(scene.views.front().pyramid, options), kept_parts(scene), X_WC,
                camera);
     }
     const auto others = kept.others(utime, X_WC, camera);

@@ -9,8 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "base/quantile.hpp"
 #include "samples/region.hpp"
-#include "samples/sample_buckets.hpp"
+#include "views/place_cubes.hpp"
 
 namespace quadrille {
 namespace {
@@ -48,7 +49,9 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 /// The samples of earlier views, by place.
 class Target {
  public:
-  explicit Target(const SurfaceSamples& samples) : samples_(samples), buckets_(samples) {}
+  /// @param reach  about how far from a place the first searches look [m]
+  Target(const SurfaceSamples& samples, float reach)
+      : samples_(samples), cubes_(samples.raw, reach) {}
 
   /// The samples within a radius of a place.
   struct Ball {
@@ -69,7 +72,7 @@ class Target {
   ///              a sample little and look less far, so that they seldom need another ball.
   int nearest(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float reach, Ball* ball) const {
     if (!ball->holds(p, reach)) {
-      *ball = among(buckets_.near(p, reach), p, reach);
+      *ball = {p, reach, cubes_.near(p, reach)};
     } else if (!ball->is_small(reach)) {
       *ball = among(ball->samples, p, reach);
     }
@@ -96,7 +99,7 @@ class Target {
   }
 
   const SurfaceSamples& samples_;
-  SampleBuckets buckets_;
+  PlaceCubes cubes_;
 };
 
 // Number of orientations that are told apart: each component of a normal is about −1, 0 or 1.
@@ -144,12 +147,23 @@ std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::
                                        const SurfaceSamples& before, const ViewOptions& options) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   if (options.shift == 0.0 && options.turn == 0.0) return X;
-  const Target target(before);
   Vector6d prior;
   prior << Eigen::Vector3d::Constant(std::pow(std::max(kTrusted, options.turn), -2)),
       Eigen::Vector3d::Constant(std::pow(std::max(kTrusted, options.shift), -2));
   Vector6d motion = Vector6d::Zero();
   const std::vector<int> some = evenly_oriented(view);
+  // How far the place of a sample may be off, and how far from it others are looked for [m].
+  const auto off_at = [&](const Eigen::Vector3d& p, double errors) {
+    return errors * (options.shift + options.turn * (p - eye).norm());
+  };
+  const auto reach_at = [&](int i, double off) {
+    return kMatchCells * view.cell[i] + static_cast<float>(off);
+  };
+  std::vector<float> reaches;
+  for (const int i : some) {
+    reaches.push_back(reach_at(i, off_at(view.raw[i].cast<double>(), kReach)));
+  }
+  const Target target(before, reaches.empty() ? 1.0f : median(reaches));
   std::vector<Target::Ball> balls(some.size());
   int matches = 0;
   for (int step = 0; step < kIterations; ++step) {
@@ -161,8 +175,8 @@ std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::
       const int i = some[k];
       const Eigen::Vector3d p = X * view.raw[i].cast<double>();
       const Eigen::Vector3f n = (X.linear() * view.n[i].cast<double>()).cast<float>();
-      const double off = errors * (options.shift + options.turn * (p - eye).norm());
-      const float reach = kMatchCells * view.cell[i] + static_cast<float>(off);
+      const double off = off_at(p, errors);
+      const float reach = reach_at(i, off);
       const int j = target.nearest(p.cast<float>(), n, reach, &balls[k]);
       if (j < 0) continue;
       const Eigen::Vector3d normal = before.n[j].cast<double>();

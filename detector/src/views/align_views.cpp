@@ -38,7 +38,7 @@ std::vector<Eigen::Isometry3d> align_views(std::vector<PointCloud>* views,
   options.check();
   std::vector<Eigen::Isometry3d> motions(views->size(), Eigen::Isometry3d::Identity());
   if (views->size() < 2) return motions;
-  std::vector<SurfaceSamples> aligned;
+  std::vector<SamplesOnDemand> aligned;
   aligned.reserve(views->size());
   std::vector<const SurfaceSamples*> before;
   std::vector<std::optional<Sight>> sights(views->size());
@@ -47,15 +47,15 @@ std::vector<Eigen::Isometry3d> align_views(std::vector<PointCloud>* views,
     std::optional<SeenView> view = seen_view(cloud, options);
     if (!view) continue;
     if (!before.empty()) {
-      const std::vector<int> no_cells(before.size(), 0);
-      const std::optional<Eigen::Isometry3d> motion = align(
-          view->samples, cloud.viewpoint, joined_samples(before, no_cells, 0.0), options.views);
+      const std::optional<Eigen::Isometry3d> motion =
+          align(view->samples.get(), cloud.viewpoint, joined_places(before), options.views);
       if (!motion) continue;
       motions[v] = *motion;
       cloud = moved(std::move(cloud), motions[v]);
       view->sight.X_VC = view->sight.X_VC * motions[v].inverse().cast<float>();
     }
-    before.push_back(&aligned.emplace_back(moved(std::move(view->samples), motions[v])));
+    view->samples.move(motions[v]);
+    before.push_back(&aligned.emplace_back(std::move(view->samples)).get());
     sights[v] = std::move(view->sight);
   }
   drop_seen_through(sights, views);

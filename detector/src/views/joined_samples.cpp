@@ -45,6 +45,17 @@ SurfaceSamples joined_samples(std::span<const SurfaceSamples* const> views,
   return joined;
 }
 
+SurfaceSamples joined_places(std::span<const SurfaceSamples* const> views) {
+  SurfaceSamples joined;
+  for (const SurfaceSamples* own : views) {
+    append(own->raw, &joined.raw);
+    append(own->n, &joined.n);
+    append(own->sigma, &joined.sigma);
+    append(own->cell, &joined.cell);
+  }
+  return joined;
+}
+
 SurfaceSamples moved(SurfaceSamples samples, const Eigen::Isometry3d& X) {
   const Eigen::Isometry3f motion = X.cast<float>();
   for (Eigen::Vector3f& p : samples.p) p = motion * p;

@@ -17,6 +17,10 @@ namespace quadrille {
 SurfaceSamples joined_samples(std::span<const SurfaceSamples* const> views,
                               const std::vector<int>& first_cells, double view_shift);
 
+/// The measured positions of the samples of several views in one list, with their normals, noise
+/// and cells; all else is left out.
+SurfaceSamples joined_places(std::span<const SurfaceSamples* const> views);
+
 /// The samples after a rigid motion.
 SurfaceSamples moved(SurfaceSamples samples, const Eigen::Isometry3d& X);
 

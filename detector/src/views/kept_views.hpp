@@ -45,7 +45,7 @@ struct KeptView {
   /// The depths that the view saw, in C.
   Sight sight;
   /// The view's samples, in W.
-  SurfaceSamples samples;
+  SamplesOnDemand samples;
   /// From where and at what the view looked. A view that replaces another one takes over that one's
   /// outlook; if it had its own, a slowly moving camera would leave no view behind.
   Outlook outlook;
@@ -81,9 +81,11 @@ class KeptViews {
   /// Adds the view, from what it saw in C and the pose of C.
   void add(std::int64_t utime, SeenView seen, Content content, const Eigen::Isometry3d& X_WC,
            int camera) {
-    View view{camera, utime, std::move(content), X_WC, std::move(seen.sight), {}, {}};
+    seen.samples.move(X_WC);
+    View view{
+        camera, utime, std::move(content), X_WC, std::move(seen.sight), std::move(seen.samples),
+        {}};
     view.outlook = outlook_of(view.sight, X_WC);
-    view.samples = moved(std::move(seen.samples), X_WC);
     const Nearest nearest = nearest_to(view);
     correct(nearest, &view, &cameras_[camera]);
     for (View& other : views_) {
@@ -175,35 +177,34 @@ class KeptViews {
 
   /// The samples of the views from the directions nearest to another one's. Views from farther
   /// aside see little of what it sees.
-  std::vector<const SurfaceSamples*> samples_about(const View& view) const {
+  std::vector<const SurfaceSamples*> samples_about(const View& view) {
     constexpr std::size_t kViews = 2;
-    std::vector<std::pair<double, const SurfaceSamples*>> others;
-    for (const View& other : views_) {
+    std::vector<std::pair<double, SamplesOnDemand*>> others;
+    for (View& other : views_) {
       others.emplace_back(angle_between(other.outlook, view.outlook), &other.samples);
     }
     std::stable_sort(others.begin(), others.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<const SurfaceSamples*> nearest;
     for (std::size_t k = 0; k < std::min(kViews, others.size()); ++k) {
-      nearest.push_back(others[k].second);
+      nearest.push_back(&others[k].second->get());
     }
     return nearest;
   }
 
   /// Corrects the pose of a view: by what it has in common with the others, if it is from a new
   /// direction or its camera's last correction is old, and otherwise by that one.
-  void correct(const Nearest& nearest, View* view, Camera* camera) const {
+  void correct(const Nearest& nearest, View* view, Camera* camera) {
     const bool is_new = nearest.angle > 0.5 * options_.sector;
     const bool is_old = elapsed_seconds(camera->corrected, view->utime) > kCorrectionLasts;
     if (!views_.empty() && (is_new || is_old)) {
       const std::vector<const SurfaceSamples*> others = samples_about(*view);
-      const std::vector<int> no_cells(others.size(), 0);
       camera->X_WW =
-          align(view->samples, view->outlook.eye_W, joined_samples(others, no_cells, 0.0), options_)
+          align(view->samples.get(), view->outlook.eye_W, joined_places(others), options_)
               .value_or(Eigen::Isometry3d::Identity());
       camera->corrected = view->utime;
     }
-    view->samples = moved(std::move(view->samples), camera->X_WW);
+    view->samples.move(camera->X_WW);
     view->X_WC = camera->X_WW * view->X_WC;
   }
 

@@ -1,27 +1,23 @@
 #include "views/seen_view.hpp"
 
-#include <cstddef>
-#include <memory>
 #include <utility>
 
 #include "cloud/cloud_check.hpp"
-#include "samples/sample_tree.hpp"
 
 namespace quadrille {
 
-SeenView seen_view(const CellPyramid& cells, const DetectorOptions& options) {
-  const Mask all(static_cast<std::size_t>(cells.size(0)), 1);
-  SampleTree tree(cells, cells.samples(all, options.threads));
-  return SeenView{cells.sight(), std::move(tree).take_finest()};
+SeenView seen_view(std::shared_ptr<const CellPyramid> cells, const DetectorOptions& options) {
+  Sight sight = cells->sight();
+  return {std::move(sight), SamplesOnDemand(std::move(cells), options.threads)};
 }
 
 std::optional<SeenView> seen_view(const CloudView& given, const DetectorOptions& options) {
   const CloudCheck check = check_cloud(given);
   if (!check.usable || !given.viewpoint.allFinite()) return std::nullopt;
-  const std::unique_ptr<CellPyramid> cells =
+  std::shared_ptr<const CellPyramid> cells =
       make_pyramid(check.range.kept(given), options.sampling);
   if (!cells) return std::nullopt;
-  return seen_view(*cells, options);
+  return seen_view(std::move(cells), options);
 }
 
 }  // namespace quadrille
