@@ -150,12 +150,36 @@ double CollisionScene::clearance(const SweptHand& hand) const {
   std::vector<OrientedBox> boxes = hand.attached;
   boxes.insert(boxes.end(),
                {hand.fingers[0], hand.fingers[1], hand.palm, hand.closing[0], hand.closing[1]});
-  const auto blocked = [&](double r) {
-    for (const SupportPlane& plane : planes) {
-      if (crosses(boxes, plane, r)) return true;
+  enum class Kind { kPlane, kVoxel, kPoint, kNeighbour };
+  struct Check {
+    Kind kind;
+    std::span<const OrientedBox> box;
+  };
+  std::vector<Check> checks;
+  for (const Kind kind : {Kind::kPlane, Kind::kVoxel, Kind::kPoint, Kind::kNeighbour}) {
+    for (const OrientedBox& box : boxes) checks.push_back({kind, {&box, 1}});
+  }
+  const auto meets = [&](const Check& check, double r) {
+    switch (check.kind) {
+      case Kind::kPlane:
+        return std::any_of(planes.begin(), planes.end(),
+                           [&](const SupportPlane& plane) { return crosses(check.box, plane, r); });
+      case Kind::kVoxel:
+        return voxel_hit(check.box, map, r) != Hit::kNone;
+      case Kind::kPoint:
+        return touch(check.box, other_points, r);
+      default:
+        return hits(check.box, neighbours, r);
     }
-    return voxel_hit(boxes, map, r) != Hit::kNone || touch(boxes, other_points, r) ||
-           hits(boxes, neighbours, r);
+  };
+  // Once something is met at a radius, only smaller ones are tried, at which the checks before it
+  // would meet nothing either.
+  const auto blocked = [&](double r) {
+    const auto first = std::find_if(checks.begin(), checks.end(),
+                                    [&](const Check& check) { return meets(check, r); });
+    if (first == checks.end()) return false;
+    checks.erase(checks.begin(), first);
+    return true;
   };
   double free = 0.0, hit = kMaxClearance;
   if (!blocked(hit)) return hit;

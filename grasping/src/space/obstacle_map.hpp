@@ -49,7 +49,8 @@ class ObstacleMap {
   bool is_occupied(const Eigen::Vector3d& p_C) const;
 
   /// Returns what the box overlaps; touching without overlap does not count. If the box overlaps
-  /// both kinds, either may be returned, but always the same one for the same box.
+  /// both kinds, either may be returned, but always the same one for the same box. Only one thread
+  /// may ask a map at a time.
   Hit collides(const OrientedBox& box) const;
 
   /// Frees all voxels whose centre lies within the body grown by `margin` [m], so that the target
@@ -152,6 +153,9 @@ class ObstacleMap {
   using Offset = Eigen::Array<float, 8, 1>;
   struct Cube;
   std::uint8_t descend(const Query& query, const Cube& cube, const Offset& offset) const;
+  bool refines(std::uint8_t flags) const;
+  std::uint8_t meet(const Query& query, const Cube& cube) const;
+  bool meets_last(const OrientedBox& box, const Range& range) const;
   bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half, int depth,
                      double margin) const;
   void clear_shadow(const DepthView& view, const Body& body, const Range& blocks);
@@ -172,6 +176,12 @@ class ObstacleMap {
   /// For each block of the grid, its number; negative if it holds nothing.
   std::vector<int> numbers_;
   std::vector<Block> blocks_;
+  /// The cube that a box met last: its block, and the rest of its Cube.
+  struct Met {
+    int block = -1, level = 0;
+    Eigen::Vector3i here = Eigen::Vector3i::Zero(), at = Eigen::Vector3i::Zero();
+  };
+  mutable Met last_;
 };
 
 /// Frees the voxels of a range for which frees(centre) holds. The larger cubes stay as they are.

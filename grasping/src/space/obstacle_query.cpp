@@ -90,6 +90,8 @@ struct ObstacleMap::Cube {
   const Block& block;
   int level;
   Eigen::Vector3i here, at;
+
+  std::uint8_t flags() const { return block.row(level, here.y(), here.z())[here.x()]; }
 };
 
 Hit ObstacleMap::collides(const OrientedBox& box) const {
@@ -100,9 +102,11 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   if (outside && unknown_blocks_) return Hit::kUnknown;
   if (blocks_.empty()) return Hit::kNone;
   std::optional<Query> query;
-  const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
+  const Range range = voxels({box.p_CB - reach, box.p_CB + reach});
+  const auto& [low, high] = range;
   constexpr int kTop = kLevels - 1;
   if ((high.array() < 0).any()) return Hit::kNone;
+  if (meets_last(box, range)) return Hit::kOccupied;
   const double edge = resolution_ * kEdge;
   for (int k = low.z() >> kTop; k <= high.z() >> kTop; ++k) {
     for (int j = low.y() >> kTop; j <= high.y() >> kTop; ++j) {
@@ -122,24 +126,30 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   return Hit::kNone;
 }
 
+/// Returns true if the box meets the occupied cube that another one met last. Boxes that follow
+/// each other are mostly those of hands side by side. With unknown space as an obstacle, the first
+/// cube on the way may be of the other kind, so that this tells nothing.
+bool ObstacleMap::meets_last(const OrientedBox& box, const Range& range) const {
+  if (last_.block < 0 || unknown_blocks_) return false;
+  const Eigen::Array3i low = last_.at.array() * (1 << last_.level);
+  const Eigen::Array3i high = low + (1 << last_.level) - 1;
+  if ((low > range.second.array()).any() || (high < range.first.array()).any()) return false;
+  const Cube cube{blocks_.data()[last_.block], last_.level, last_.here, last_.at};
+  return cube.flags() != 0 && meet(Query(box), cube) != 0;
+}
+
 /// Returns the flags of the voxels that the box meets in a cube that holds something.
 std::uint8_t ObstacleMap::descend(const Query& query, const Cube& cube,
                                   const Offset& offset) const {
   const double h = 0.5 * resolution_ * (1 << cube.level);
   const Offset gap = offset.abs() - query.quick_reach - static_cast<float>(h) * query.quick_spread;
   if (gap.maxCoeff() > 0.0f) return 0;
-  const std::uint8_t flags =
-      cube.block.row(cube.level, cube.here.y(), cube.here.z())[cube.here.x()];
-  const int divided = kAnyUnknown | (divide_occupied_ ? kAnyOccupied : 0);
-  const bool refined = !views_.empty() && flags & divided;
-  if (cube.level == 0 || (flags & kAll && !refined)) {
-    const Eigen::Vector3d centre =
-        corner_ + 2.0 * h * (cube.at.cast<double>().array() + 0.5).matrix();
-    if (!query.overlaps(centre, h)) return 0;
-    if (!refined) return flags;
-    const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kPointNoise)
-                                          : enters_hidden(query, centre, h, 2, 0.0);
-    return hit ? flags : 0;
+  if (cube.level == 0 || (cube.flags() & kAll && !refines(cube.flags()))) {
+    const std::uint8_t met = meet(query, cube);
+    if (met != 0) {
+      last_ = {static_cast<int>(&cube.block - blocks_.data()), cube.level, cube.here, cube.at};
+    }
+    return met;
   }
   for (int n = 0; n < 8; ++n) {
     const Eigen::Vector3i eighth = eighth_of_cube(n), here = 2 * cube.here + eighth;
@@ -149,6 +159,26 @@ std::uint8_t ObstacleMap::descend(const Query& query, const Cube& cube,
     if (const std::uint8_t hit = descend(query, part, there)) return hit;
   }
   return 0;
+}
+
+/// True if the parts of a voxel with these flags are told apart.
+bool ObstacleMap::refines(std::uint8_t flags) const {
+  const int divided = kAnyUnknown | (divide_occupied_ ? kAnyOccupied : 0);
+  return !views_.empty() && flags & divided;
+}
+
+/// Returns the flags of a voxel, or of a cube of which all voxels have the same, if the box meets
+/// it.
+std::uint8_t ObstacleMap::meet(const Query& query, const Cube& cube) const {
+  const double h = 0.5 * resolution_ * (1 << cube.level);
+  const Eigen::Vector3d centre =
+      corner_ + 2.0 * h * (cube.at.cast<double>().array() + 0.5).matrix();
+  const std::uint8_t flags = cube.flags();
+  if (!query.overlaps(centre, h)) return 0;
+  if (!refines(flags)) return flags;
+  const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kPointNoise)
+                                        : enters_hidden(query, centre, h, 2, 0.0);
+  return hit ? flags : 0;
 }
 
 /// Returns true if the box overlaps an eighth of the cube that no view, to within a margin, saw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -119,11 +120,11 @@ std::optional<Refusal> misfit(const ContactLine& line, const TargetTask& task) {
 bool contradicted(const ContactLine& line, const OccupancyGrid& space) {
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector3d inward = (i == 0 ? -1.0 : 1.0) * line.closing_C;
-    bool all_free = true;
-    for (const double voxels : kFreeDepths) {
-      const double depth = std::min(voxels * space.resolution(), kMaxDepthShare * line.width);
-      all_free &= space.at(line.contacts_C[i] + depth * inward) == Voxel::kFree;
-    }
+    const bool all_free =
+        std::all_of(std::begin(kFreeDepths), std::end(kFreeDepths), [&](double voxels) {
+          const double depth = std::min(voxels * space.resolution(), kMaxDepthShare * line.width);
+          return space.at(line.contacts_C[i] + depth * inward) == Voxel::kFree;
+        });
     if (all_free) return true;
   }
   return false;

@@ -50,33 +50,41 @@ void DepthView::place(const PinholeView& view, const PinholeImage& image) {
   measured_.height = image.height;
 }
 
-/// Some points in V, and where they lie in the image: pixel (u, v) reaches from there to the next
-/// whole numbers.
+/// Some points, the depths at which the view sees them, and the indices of their pixels; −1 for
+/// those that it does not see.
 struct DepthView::Projected {
   // So few that all stay in the L1 cache.
   static constexpr std::size_t kMost = 64;
-  std::array<double, kMost> x, y, z, u, v;
+  std::array<double, kMost> x, y, z;
+  std::array<float, kMost> depth;
+  std::array<int, kMost> pixel;
 };
 
 /// Does for many points what to_view() and pixel() do for one, with the same bits.
-/// @param points  positions from the viewpoint on, along the axes of C; replaced by those in V
+/// @param points  with their positions from the viewpoint on, along the axes of C
 QUADRILLE_VECTOR_CLONES
 void DepthView::project(Projected& points) const {
   const Eigen::Matrix3d& R = R_VC_;
   const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2), yx = R(1, 0), yy = R(1, 1), yz = R(1, 2);
   const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2);
   const double du = pixels_.x(), dv = pixels_.y(), cu = cu_, cv = cv_;
+  const double width = measured_.width, height = measured_.height;
+  const int row = measured_.width;
   // Unlike arrays, these do not check each access.
-  double *px = points.x.data(), *py = points.y.data(), *pz = points.z.data();
-  double* __restrict u = points.u.data(), * __restrict v = points.v.data();
+  const double *px = points.x.data(), *py = points.y.data(), *pz = points.z.data();
+  float* __restrict depth = points.depth.data();
+  int* __restrict pixel = points.pixel.data();
   for (std::size_t n = 0; n < Projected::kMost; ++n) {
     // The order of these sums is that of Eigen's product.
     const double x = (xx * px[n] + xy * py[n]) + xz * pz[n];
     const double y = (yx * px[n] + yy * py[n]) + yz * pz[n];
     const double z = zx * px[n] + (zy * py[n] + zz * pz[n]), inverse = 1.0 / z;
-    px[n] = x, py[n] = y, pz[n] = z;
-    u[n] = x * inverse * du + cu + 0.5;
-    v[n] = y * inverse * dv + cv + 0.5;
+    const double u = x * inverse * du + cu + 0.5, v = y * inverse * dv + cv + 0.5;
+    // This is also false for points that are not finite.
+    const bool seen = (z > kMinDepth) & (u >= 0.0) & (v >= 0.0) & (u < width) & (v < height);
+    const int column = static_cast<int>(seen ? u : 0.0), line = static_cast<int>(seen ? v : 0.0);
+    pixel[n] = seen ? line * row + column : -1;
+    depth[n] = static_cast<float>(z);
   }
 }
 
@@ -99,14 +107,9 @@ void DepthView::keep_nearest(const PointCloud& cloud) {
     }
     project(some);
     for (std::size_t n = 0; n < count; ++n) {
-      const double u = some.u.data()[n], v = some.v.data()[n], z = some.z.data()[n];
-      // This is also false for points that are not finite.
-      const bool seen =
-          z > kMinDepth && u >= 0.0 && v >= 0.0 && u < measured_.width && v < measured_.height;
-      if (!seen) continue;
-      const std::size_t at = measured_.index(static_cast<int>(u), static_cast<int>(v));
-      const float depth = static_cast<float>(z);
-      if (depths[at] > 0.0f && depths[at] <= depth) continue;
+      const int at = some.pixel.data()[n];
+      const float depth = some.depth.data()[n];
+      if (at < 0 || (depths[at] > 0.0f && depths[at] <= depth)) continue;
       depths[at] = depth;
       indices[at] = static_cast<std::uint32_t>(first + n);
     }
