@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "base/vector_clones.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
@@ -80,6 +81,59 @@ void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
   }
 }
 
+/// Quick test of 16 points: true only if no coordinate is missing or zero.
+QUADRILLE_VECTOR_CLONES
+bool all_measured(const float* values) {
+  int all = 1;
+  for (int k = 0; k < 48; ++k) {
+    // x − x is zero unless x is infinite or NaN.
+    all &= static_cast<int>(values[k] - values[k] == 0.0f) & static_cast<int>(values[k] != 0.0f);
+  }
+  return all != 0;
+}
+
+/// Makes missing points NaN.
+void mark_missing(std::vector<Eigen::Vector3f>* points) {
+  // Most points are measured, so runs of them are tested at once.
+  constexpr std::size_t kRun = 16;
+  for (std::size_t i = 0; i < points->size();) {
+    const std::size_t end = std::min(i + kRun, points->size());
+    if (end == i + kRun && all_measured((*points)[i].data())) {
+      i = end;
+      continue;
+    }
+    for (; i < end; ++i) {
+      Eigen::Vector3f& p = (*points)[i];
+      if (!p.allFinite() || p.isZero(0.0f)) p.setConstant(std::numeric_limits<float>::quiet_NaN());
+    }
+  }
+}
+
+/// Reads an image of float32 in this machine's order of bytes, as nearly all cameras send it. It
+/// takes a fifth of the steps of append_points(), which does the same.
+void read_image(std::span<const std::byte> bytes, const PointLayout& layout, std::size_t row_step,
+                PointCloud* cloud) {
+  constexpr std::size_t kPoint = sizeof(Eigen::Vector3f);
+  const bool packed =
+      layout.point_step == kPoint && layout.x == 0 && layout.y == 4 && layout.z == 8;
+  cloud->points.resize(layout.width * layout.height);
+  Eigen::Vector3f* to = cloud->points.data();
+  for (std::size_t row = 0; row < layout.height; ++row) {
+    const std::byte* record = bytes.data() + row * row_step;
+    if (packed) {
+      std::memcpy(to->data(), record, layout.width * kPoint);
+      to += layout.width;
+      continue;
+    }
+    for (std::size_t column = 0; column < layout.width; ++column, record += layout.point_step) {
+      const float x = load<float>(record + layout.x, false);
+      const float y = load<float>(record + layout.y, false);
+      *to++ = {x, y, load<float>(record + layout.z, false)};
+    }
+  }
+  mark_missing(&cloud->points);
+}
+
 }  // namespace
 
 PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout,
@@ -110,7 +164,11 @@ PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layo
     cloud.width = static_cast<int>(layout.width);
     cloud.height = static_cast<int>(layout.height);
   }
-  if (wide) {
+  const bool native = layout.big_endian == (std::endian::native == std::endian::big);
+  const bool moves = !X_CF.matrix().isIdentity(0.0);
+  if (cloud.organised() && layout.width > 0 && !wide && native && !moves && !layout.rgb) {
+    read_image(bytes, layout, row_step, &cloud);
+  } else if (wide) {
     append_points<double>(bytes, layout, row_step, X_CF, &cloud);
   } else {
     append_points<float>(bytes, layout, row_step, X_CF, &cloud);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
+#include <span>
 #include <vector>
 
 #include "base/quantile.hpp"
@@ -80,23 +82,59 @@ std::optional<float> pitch_from_order(const CloudView& cloud, const PinholeView&
   return usual_step(steps);
 }
 
+/// Finds the steps v from the end of a row to the beginning of the next one.
+class RowSteps {
+ public:
+  /// @param min_return  least step back along u that leads to the next row
+  explicit RowSteps(float min_return) : min_return_(min_return) {}
+
+  /// Adds the (u, v, w) of a seen point.
+  void add(float u, float v) {
+    if (u_ - u > min_return_ && v - v_ > kMinPitch) steps_.push_back(v - v_);
+    u_ = u, v_ = v;
+  }
+  std::vector<float>& found() { return steps_; }
+
+ private:
+  float min_return_, u_ = std::numeric_limits<float>::lowest(), v_ = 0.0f;
+  std::vector<float> steps_;
+};
+
+/// Adds the first and the last seen point of each row of an organised cloud.
+void add_ends_of_rows(const CloudView& cloud, const PinholeView& view, RowSteps* steps) {
+  const auto width = static_cast<std::size_t>(cloud.width);
+  for (std::size_t begin = 0; begin + width <= cloud.points.size(); begin += width) {
+    const auto add_first = [&](const auto& row) {
+      for (const Eigen::Vector3f& p : row) {
+        const Eigen::Vector3f t = view(p);
+        if (t.z() == 0.0f) continue;
+        steps->add(t.x(), t.y());
+        return;
+      }
+    };
+    const std::span<const Eigen::Vector3f> row = cloud.points.subspan(begin, width);
+    add_first(row);
+    add_first(std::views::reverse(row));
+  }
+}
+
 /// Pitch across the rows: the median step from the end of one row to the beginning of the next.
 /// Nullopt if there are too few rows.
 std::optional<float> pitch_across_rows(const CloudView& cloud, const PinholeView& view) {
-  const float min_return = kMinReturn * view.bounds.sizes().x();
-  std::vector<float> steps;
-  float u = std::numeric_limits<float>::lowest(), v = 0.0f;
-  for (std::size_t first = 0; first < view.looked_at(cloud.points.size());
-       first += SeenPoints::kSize) {
-    const SeenPoints t = view.look(cloud.points, first);
-    for (int k = 0; k < SeenPoints::kSize; ++k) {
-      if (t.w[k] == 0.0f) continue;
-      if (u - t.u[k] > min_return && t.v[k] - v > kMinPitch) steps.push_back(t.v[k] - v);
-      u = t.u[k], v = t.v[k];
+  RowSteps steps(kMinReturn * view.bounds.sizes().x());
+  if (cloud.organised() && view.stride == 1) {
+    add_ends_of_rows(cloud, view, &steps);
+  } else {
+    for (std::size_t first = 0; first < view.looked_at(cloud.points.size());
+         first += SeenPoints::kSize) {
+      const SeenPoints t = view.look(cloud.points, first);
+      for (int k = 0; k < SeenPoints::kSize; ++k) {
+        if (t.w[k] > 0.0f) steps.add(t.u[k], t.v[k]);
+      }
     }
   }
-  if (steps.size() < kMinRows) return std::nullopt;
-  return median(steps);
+  if (steps.found().size() < kMinRows) return std::nullopt;
+  return median(steps.found());
 }
 
 /// Adds up blocks of a square histogram two by two.

@@ -1,6 +1,5 @@
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -19,20 +18,32 @@ bool in_range(const Eigen::Vector3f& p, const Eigen::Vector3f& from) {
   return (p - from).squaredNorm() <= kSquaredRange;
 }
 
-/// Quick test of 16 points: true only if the sum of their squared distances is in range, so that
-/// each of them is.
+/// Quick test of 16 points: true only if each coordinate of each is within half the range, so that
+/// the points are in range.
 QUADRILLE_VECTOR_CLONES
 bool all_in_range(const float* points, const float* from) {
-  std::array<float, 16> sums{};
-  for (int part = 0; part < 48; part += 16) {
-    for (int k = 0; k < 16; ++k) {
-      const float d = points[part + k] - from[part + k];
-      sums[k] += d * d;
-    }
+  int all = 1;
+  for (int k = 0; k < 48; ++k) {
+    const float d = points[k] - from[k];
+    all &= static_cast<int>(d * d <= 0.25f * kSquaredRange);
   }
-  float sum = 0;
-  for (const float s : sums) sum += s;
-  return sum <= kSquaredRange;
+  return all != 0;
+}
+
+/// Counts those of 16 points that are in range, and the finite ones.
+QUADRILLE_VECTOR_CLONES
+void count_run(const float* points, const float* from, int* in_range, int* finite) {
+  const float fx = from[0], fy = from[1], fz = from[2];
+  int near = 0, whole = 0;
+  for (std::ptrdiff_t k = 0; k < 16; ++k) {
+    const float px = points[3 * k], py = points[3 * k + 1], pz = points[3 * k + 2];
+    const float x = px - fx, y = py - fy, z = pz - fz;
+    // The order of this sum is that of Eigen's squared norm, and x − x is zero unless x is infinite
+    // or NaN.
+    near += static_cast<int>(x * x + (y * y + z * z) <= kSquaredRange);
+    whole += static_cast<int>((px - px) + (py - py) + (pz - pz) == 0.0f);
+  }
+  *in_range = near, *finite = whole;
 }
 
 RangeCheck count(std::span<const Eigen::Vector3f> points, const Eigen::Vector3f& from) {
@@ -41,16 +52,21 @@ RangeCheck count(std::span<const Eigen::Vector3f> points, const Eigen::Vector3f&
   const Eigen::Matrix<float, 3 * kRun, 1> from_each = from.replicate<kRun, 1>();
   RangeCheck check;
   std::size_t i = 0;
-  while (i < points.size()) {
-    if (i + kRun <= points.size() && all_in_range(points[i].data(), from_each.data())) {
-      check.near += kRun, i += kRun;
+  for (; i + kRun <= points.size(); i += kRun) {
+    if (all_in_range(points[i].data(), from_each.data())) {
+      check.near += kRun;
       continue;
     }
-    for (const std::size_t end = std::min(i + kRun, points.size()); i < end; ++i) {
-      const bool near = in_range(points[i], from);
-      check.near += near;
-      check.far += !near && points[i].allFinite();
-    }
+    int near = 0, finite = 0;
+    count_run(points[i].data(), from.data(), &near, &finite);
+    check.near += static_cast<std::size_t>(near);
+    // What is in range is finite.
+    check.far += static_cast<std::size_t>(finite - near);
+  }
+  for (; i < points.size(); ++i) {
+    const bool near = in_range(points[i], from);
+    check.near += near;
+    check.far += !near && points[i].allFinite();
   }
   return check;
 }

@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/deadline.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "scene/map_space.hpp"
 #include "scene/scene_shapes.hpp"
 #include "scene/scene_targets.hpp"
@@ -50,11 +52,13 @@ class SceneMaker {
     check_support();
     const PlanOptions& options = parts_.options;
     stage("view", [&] {
+      std::vector<std::optional<DepthView>> made(views_.size());
+      parallel_for(static_cast<int>(made.size()), options.threads, [&](int v) {
+        made[v].emplace(*views_[v].seen, options.baseline, options.resolution);
+      });
       std::vector<DepthView> views;
-      views.reserve(views_.size());
-      for (const ViewClouds::View& view : views_) {
-        views.emplace_back(*view.seen, options.baseline, options.resolution);
-      }
+      views.reserve(made.size());
+      for (std::optional<DepthView>& view : made) views.push_back(*std::move(view));
       parts_.shared_views = std::make_shared<const std::vector<DepthView>>(std::move(views));
       parts_.views = *parts_.shared_views;
     });

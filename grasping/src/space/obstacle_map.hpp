@@ -155,7 +155,8 @@ class ObstacleMap {
   std::uint8_t descend(const Query& query, const Cube& cube, const Offset& offset) const;
   bool refines(std::uint8_t flags) const;
   std::uint8_t meet(const Query& query, const Cube& cube) const;
-  bool meets_last(const OrientedBox& box, const Range& range) const;
+  bool may_meet_last(const Range& range) const;
+  Cube last() const;
   bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half, int depth,
                      double margin) const;
   void clear_shadow(const DepthView& view, const Body& body, const Range& blocks);

@@ -106,7 +106,10 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   const auto& [low, high] = range;
   constexpr int kTop = kLevels - 1;
   if ((high.array() < 0).any()) return Hit::kNone;
-  if (meets_last(box, range)) return Hit::kOccupied;
+  if (may_meet_last(range)) {
+    query.emplace(box);
+    if (meet(*query, last()) != 0) return Hit::kOccupied;
+  }
   const double edge = resolution_ * kEdge;
   for (int k = low.z() >> kTop; k <= high.z() >> kTop; ++k) {
     for (int j = low.y() >> kTop; j <= high.y() >> kTop; ++j) {
@@ -126,16 +129,18 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   return Hit::kNone;
 }
 
-/// Returns true if the box meets the occupied cube that another one met last. Boxes that follow
-/// each other are mostly those of hands side by side. With unknown space as an obstacle, the first
-/// cube on the way may be of the other kind, so that this tells nothing.
-bool ObstacleMap::meets_last(const OrientedBox& box, const Range& range) const {
-  if (last_.block < 0 || unknown_blocks_) return false;
+/// Returns true if a box that lies within a range may meet the occupied cube that another one met
+/// last. Boxes that follow each other are mostly those of hands side by side. With unknown space as
+/// an obstacle, the first cube on the way may be of the other kind, so that this tells nothing.
+bool ObstacleMap::may_meet_last(const Range& range) const {
+  if (last_.block < 0 || unknown_blocks_ || last().flags() == 0) return false;
   const Eigen::Array3i low = last_.at.array() * (1 << last_.level);
   const Eigen::Array3i high = low + (1 << last_.level) - 1;
-  if ((low > range.second.array()).any() || (high < range.first.array()).any()) return false;
-  const Cube cube{blocks_.data()[last_.block], last_.level, last_.here, last_.at};
-  return cube.flags() != 0 && meet(Query(box), cube) != 0;
+  return (low <= range.second.array()).all() && (high >= range.first.array()).all();
+}
+
+ObstacleMap::Cube ObstacleMap::last() const {
+  return {blocks_.data()[last_.block], last_.level, last_.here, last_.at};
 }
 
 /// Returns the flags of the voxels that the box meets in a cube that holds something.

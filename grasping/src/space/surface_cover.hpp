@@ -22,6 +22,7 @@ class SurfaceCover {
   bool covers(const Eigen::Vector3f& p_C) const;
 
  private:
+  void cover(const Eigen::Array3i& at);
   /// Returns where a place lies, in cubes from the corner of the region. It is not negative inside
   /// of the region, so that its whole part is the index of a cube.
   Eigen::Array3f cube_of(const Eigen::Vector3f& p_C) const {

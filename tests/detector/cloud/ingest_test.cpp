@@ -114,6 +114,43 @@ TEST_CASE("missing points are dropped from a list and kept as NaN in an image", 
   for (const std::size_t i : {1, 4, 5}) CHECK(kept.points[i].allFinite());
 }
 
+TEST_CASE("an image has the same points in whatever way its records are stored", "[ingest]") {
+  constexpr std::size_t kWidth = 37, kHeight = 5;
+  std::vector<std::array<double, 3>> points;
+  for (std::size_t i = 0; i < kWidth * kHeight; ++i) {
+    const double x = static_cast<double>(i);
+    points.push_back({0.25 * x - 4.0, 3.0 - 0.5 * x, 1.0 + 0.125 * x});
+  }
+  // Whole runs of points have all coordinates; others have none, codes, or zeros among them.
+  points[40] = {0, 0, 0};
+  points[45] = {1, 0, 2};
+  points[77] = {NAN, NAN, NAN};
+  points[78] = {1, 2, -std::numeric_limits<double>::infinity()};
+  points[kWidth * kHeight - 1] = {0, -0.0, 0};
+  PointLayout swapped;
+  swapped.width = kWidth, swapped.height = kHeight;
+  swapped.big_endian = true;
+  const PointCloud expected = read_points(write(points, swapped), swapped);
+  REQUIRE(expected.points.size() == points.size());
+  CHECK(expected.points[45] == Eigen::Vector3f(1, 0, 2));
+  for (const std::size_t step : {12u, 16u}) {
+    PointLayout layout = swapped;
+    layout.big_endian = false;
+    layout.point_step = step;
+    layout.row_step = kWidth * step + 8;
+    if (step == 16) layout.x = 4, layout.y = 0, layout.z = 12;
+    const PointCloud cloud = read_points(write(points, layout), layout);
+    CHECK(cloud.read == expected.read);
+    REQUIRE(cloud.points.size() == expected.points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const bool missing = expected.points[i].array().isNaN().all();
+      CHECK(missing == (i == 40 || i == 77 || i == 78 || i + 1 == points.size()));
+      CHECK((missing ? cloud.points[i].array().isNaN().all()
+                     : cloud.points[i] == expected.points[i]));
+    }
+  }
+}
+
 TEST_CASE("a float64 beyond the range of float32 counts as missing", "[ingest][hostile]") {
   PointLayout layout = row_of(2);
   layout.scalar = PointLayout::Scalar::kFloat64;

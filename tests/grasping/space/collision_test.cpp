@@ -1,6 +1,8 @@
 #include "space/collision.hpp"
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 #include "body/pieces.hpp"
 #include "grasping/clipped_surface.hpp"
@@ -91,5 +93,36 @@ TEST_CASE("the palm keeps off the end of a target, the fingers may come close", 
     const bool meets = gap < 0.008;
     CHECK(scene.palm_obstruction(hand.palm).has_value() == meets);
     CHECK_FALSE(scene.finger_obstruction(hand));
+  }
+}
+
+TEST_CASE("the clearance is the distance to the nearest thing, to within 1 mm", "[collision]") {
+  const OccupancyGrid nothing(Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()),
+                              0.1);
+  const SweptHand hand =
+      sweep_hand(franka_hand(), Eigen::Isometry3d::Identity(), 0.036, 0.03, 0.05);
+  const std::vector<OrientedBox> boxes = {hand.fingers[0], hand.fingers[1], hand.palm,
+                                          hand.closing[0], hand.closing[1]};
+  const auto outermost = [&](const Eigen::Vector3d& d) {
+    return *std::max_element(boxes.begin(), boxes.end(), [&](const auto& a, const auto& b) {
+      return a.support(d) < b.support(d);
+    });
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
+  for (const double below : {0.0015, 0.011, 0.025, 0.1}) {
+    for (const double beside : {0.004, 0.0155, 0.03, 0.2}) {
+      CAPTURE(below, beside);
+      SupportPlane plane;
+      plane.X_CP.linear() = Eigen::AngleAxisd(M_PI, x).toRotationMatrix();  // upwards is −z
+      plane.X_CP.translation() = (outermost(z).support(z) + below) * z;
+      plane.extent_P = {Eigen::Vector2d::Constant(-1.0), Eigen::Vector2d::Constant(1.0)};
+      Eigen::Vector3d point = outermost(x).p_CB;
+      point.x() = outermost(x).support(x) + beside;
+      CollisionScene scene{ObstacleMap(nothing, false), {plane}, {}, {}};
+      scene.other_points = ObstaclePoints({point});
+      const double expected = std::min({below, beside, kMaxClearance}), rounding = 1e-6;
+      CHECK(scene.clearance(hand) <= expected + rounding);
+      CHECK(scene.clearance(hand) > expected - 0.001 - rounding);
+    }
   }
 }
