@@ -141,6 +141,26 @@ std::vector<int> evenly_oriented(const SurfaceSamples& samples) {
   return some;
 }
 
+/// How far a place may be off [m].
+/// @param errors  of the pose, in standard deviations
+double off_at(const Eigen::Vector3d& p, const Eigen::Vector3d& eye, double errors,
+              const ViewOptions& options) {
+  return errors * (options.shift + options.turn * (p - eye).norm());
+}
+
+/// How far most of these samples look for others at the first step [m].
+float usual_reach(const SurfaceSamples& view, const std::vector<int>& some,
+                  const Eigen::Vector3d& eye, const ViewOptions& options) {
+  if (some.empty()) return 1.0f;
+  std::vector<float> reaches;
+  reaches.reserve(some.size());
+  for (const int i : some) {
+    const double off = off_at(view.raw[i].cast<double>(), eye, kReach, options);
+    reaches.push_back(kMatchCells * view.cell[i] + static_cast<float>(off));
+  }
+  return median(reaches);
+}
+
 }  // namespace
 
 std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
@@ -152,18 +172,7 @@ std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::
       Eigen::Vector3d::Constant(std::pow(std::max(kTrusted, options.shift), -2));
   Vector6d motion = Vector6d::Zero();
   const std::vector<int> some = evenly_oriented(view);
-  // How far the place of a sample may be off, and how far from it others are looked for [m].
-  const auto off_at = [&](const Eigen::Vector3d& p, double errors) {
-    return errors * (options.shift + options.turn * (p - eye).norm());
-  };
-  const auto reach_at = [&](int i, double off) {
-    return kMatchCells * view.cell[i] + static_cast<float>(off);
-  };
-  std::vector<float> reaches;
-  for (const int i : some) {
-    reaches.push_back(reach_at(i, off_at(view.raw[i].cast<double>(), kReach)));
-  }
-  const Target target(before, reaches.empty() ? 1.0f : median(reaches));
+  const Target target(before, usual_reach(view, some, eye, options));
   std::vector<Target::Ball> balls(some.size());
   int matches = 0;
   for (int step = 0; step < kIterations; ++step) {
@@ -175,8 +184,8 @@ std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::
       const int i = some[k];
       const Eigen::Vector3d p = X * view.raw[i].cast<double>();
       const Eigen::Vector3f n = (X.linear() * view.n[i].cast<double>()).cast<float>();
-      const double off = off_at(p, errors);
-      const float reach = reach_at(i, off);
+      const double off = off_at(p, eye, errors, options);
+      const float reach = kMatchCells * view.cell[i] + static_cast<float>(off);
       const int j = target.nearest(p.cast<float>(), n, reach, &balls[k]);
       if (j < 0) continue;
       const Eigen::Vector3d normal = before.n[j].cast<double>();
