@@ -31,6 +31,9 @@ struct AxisTolerance {
 
 /// The tolerance for parts of one body: 9° and an eighth of the radius.
 inline constexpr AxisTolerance kOneAxis = {kMaxSkew, 0.125};
+/// The tolerance for small parts, which alone may have axes that are so far off: 20° and a quarter
+/// of the radius.
+inline constexpr AxisTolerance kPerhapsOneAxis = {0.35, 0.25};
 
 /// True if two parts share an axis and follow each other along it, such as the body and the neck of
 /// a bottle, or lie around each other, such as the walls of a mug.

@@ -5,84 +5,44 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 
 #include "bodies/axial_part.hpp"
+#include "bodies/joint_member.hpp"
+#include "bodies/one_centre.hpp"
+#include "bodies/straight_sides.hpp"
 #include "fit/coaxial_fit.hpp"
-#include "fit/distance_sums.hpp"
+#include "fit/family_spec.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "surfaces/uncertainty.hpp"
 
 namespace quadrille {
 namespace {
 
-// Number of steps of the joint fit, after which nearly all have converged.
-constexpr int kJointSteps = 10;
-// Number of unknowns of an axis, each of which a part has alone but not in a joint fit.
-constexpr int kAxisUnknowns = 4;
-// Growth of the residuals counts as chance up to this quantile of the normal distribution, which
-// one body in a thousand exceeds. Of those in simulated kitchens one in twelve does, where sensors
-// bend surfaces by more than their noise tells.
-constexpr double kChance = 3.09;
-
-// Small parts alone may have axes that are this far off: 20° and a quarter of the radius.
-constexpr AxisTolerance kPerhapsOneAxis = {0.35, 0.25};
-// Such parts join the others only if that raises no root mean square distance by more than this
-// factor. The walls of a tapered cup that pass for cylinders lean apart, and no axis suits both.
+// Parts within kPerhapsOneAxis join the others only if that raises no root mean square distance by
+// more than this factor. The walls of a tapered cup that pass for cylinders lean apart, and no axis
+// suits both.
 constexpr double kMaxWorse = 1.4;
-// Mean square of the distances that rounding leaves of exact points, in local coordinates.
-constexpr double kRounding = 1e-14;
-
-/// Quantile of the χ² distribution that belongs to a quantile of the normal one, by the
-/// approximation of Wilson and Hilferty, which is right within 1 % here.
-double chi_square_quantile(double degrees, double normal) {
-  const double v = 2.0 / (9.0 * degrees);
-  return degrees * std::pow(1.0 - v + normal * std::sqrt(v), 3);
-}
-
-/// A surface that may be a part of a body.
-struct Member {
-  int index;
-  std::unique_ptr<DistanceSums<float>> points;
-  CoaxialPart part;
-  /// Sum of squares of its fit alone, and by how much chance and bent surfaces let it grow for one
-  /// unknown less; both in local coordinates.
-  double alone, variance;
-  /// True if its axis is that of the others only within kPerhapsOneAxis.
-  bool is_guest;
-};
-
-double variance_of(const Surface& surface) {
-  return surface.fit.points * variance_of_mean(surface);
-}
-
-Member member_of(int index, const LastFit& fit, bool is_guest) {
-  const Surface& surface = fit.surface;
-  auto points = std::make_unique<DistanceSums<float>>(fit.points);
-  const double least = kRounding * static_cast<double>(fit.points.size());
-  const double alone = std::max(least, points->evaluate(surface.fit.posed.matrix()).squares());
-  const double scale = surface.local.scale;
-  const double weight = surface.fit.points / (scale * scale * alone);
-  const CoaxialPart part{surface.fit, surface.local, points.get(), weight};
-  const double variance =
-      std::max(least, variance_of(surface) + surface.fit.points * bend_variance(surface));
-  return {index, std::move(points), part, alone, variance, is_guest};
-}
-
-/// The joint fit; nullopt if less than two parts are left.
+/// The joint fit; nullopt if less than two parts are left. Both sides of a wall become cylinders or
+/// parallel cones, where that is better than what they were alone.
 std::optional<CoaxialFit> fit_members(const std::vector<Member>& members) {
   if (members.size() < 2) return std::nullopt;
-  std::vector<CoaxialPart> parts;
-  parts.reserve(members.size());
-  for (const Member& member : members) parts.push_back(member.part);
-  return fit_coaxial(parts, kJointSteps);
-}
-
-/// True if a member is of another type in the joint fit than alone.
-bool changes_type(const Member& member, const FamilyFit& joint) {
-  return canonical_form(joint.posed).type != canonical_form(member.part.fit.posed).type;
+  std::vector<CoaxialPart> alone;
+  alone.reserve(members.size());
+  for (const Member& member : members) alone.push_back(member.part);
+  std::optional<JointChoice> best;
+  try_parts(members, alone, &best);
+  if (const WallSides wall = straight_wall(members); !wall.empty()) {
+    const Eigen::Isometry3d X_CA = mean_axis(members, wall);
+    for (const Family family : {Family::kCylinder, Family::kCone}) {
+      std::vector<CoaxialPart> parts = alone;
+      straighten(members, wall, family, X_CA, &parts);
+      try_parts(members, std::move(parts), &best);
+    }
+  }
+  if (!best) return std::nullopt;
+  return std::move(best->fit);
 }
 
 /// The number of the guest whose distances grow most, if those of any member grow too much or a
@@ -106,18 +66,20 @@ std::optional<std::size_t> misfit(const std::vector<Member>& members, const Coax
   std::size_t worst = 0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (changes_type(members[i], joint.parts[i])) return i;
-    const double growth = (joint.parts[i].rss - members[i].alone) / members[i].variance;
+    const double growth = growth_of(members[i], joint.parts[i]);
     if (growth > most) most = growth, worst = i;
     sum += growth;
   }
-  const auto shared = static_cast<double>(kAxisUnknowns * (members.size() - 1));
-  if (sum <= chi_square_quantile(shared, kChance)) return std::nullopt;
+  int shared = -static_cast<int>(joint.information.front().rows());
+  for (const Member& member : members) shared += family_spec(member.part.fit.family).dof;
+  if (is_chance(sum, shared)) return std::nullopt;
   return worst;
 }
 
 /// Gives the surfaces of the members their joint fit.
-void set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
-              std::vector<LastFit>* fits) {
+CommonAxis set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
+                    std::vector<LastFit>* fits) {
+  CommonAxis axis;
   std::vector<double> variances;
   for (std::size_t i = 0; i < members.size(); ++i) {
     Surface& surface = (*fits)[members[i].index].surface;
@@ -130,26 +92,31 @@ void set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
     const double square = surface.local.scale * surface.local.scale;
     variances.push_back(members[i].part.weight * square * variance_of(surface));
   }
-  const std::vector<Eigen::MatrixXd> covariance = covariances(joint, variances);
+  axis.covariance = covariance_of(joint, variances);
   for (std::size_t i = 0; i < members.size(); ++i) {
     Surface& surface = (*fits)[members[i].index].surface;
     // uncertainty_of() makes the covariance of this.
-    const auto I = Eigen::MatrixXd::Identity(covariance[i].rows(), covariance[i].cols());
-    surface.information.JtJ = variance_of(surface) * covariance[i].ldlt().solve(I);
+    const Eigen::MatrixXd covariance = axis.covariance.between(i, i);
+    const auto I = Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols());
+    surface.information.JtJ = variance_of(surface) * covariance.ldlt().solve(I);
     surface.information.Jt1 = information((*fits)[members[i].index].wall(), surface.fit).Jt1;
+    axis.members.push_back(members[i].index);
   }
+  return axis;
 }
 
 /// The members of each body that may have a common axis.
 ///
 /// The largest part, and those that share its axis within the usual tolerance, are sure members.
 /// The others are guests: their axes are farther off.
+/// @param taken  nonzero for surfaces that take no part
 std::vector<std::vector<Member>> find_members(std::span<const Detection> detections,
-                                              const std::vector<LastFit>& fits) {
+                                              const std::vector<LastFit>& fits,
+                                              const std::vector<char>& taken) {
   std::vector<AxialPart> parts;
   std::vector<int> index;
   for (std::size_t k = 0; k < detections.size(); ++k) {
-    if (fits[k].points.size() == 0) continue;
+    if (fits[k].points.size() == 0 || taken[k]) continue;
     if (!has_one_axis(fits[k].surface.fit.family)) continue;
     const std::optional<AxialPart> part = axial_part(detections[k]);
     if (!part) continue;
@@ -168,8 +135,12 @@ std::vector<std::vector<Member>> find_members(std::span<const Detection> detecti
         });
     std::vector<Member> members;
     for (const std::size_t k : body) {
-      members.push_back(member_of(index[k], fits[index[k]], surely[k] != surely[host]));
+      members.push_back(member_of(index[k], fits[index[k]], shows_inside(detections[index[k]]),
+                                  surely[k] != surely[host]));
     }
+    // A part is parallel to one before it.
+    std::stable_partition(members.begin(), members.end(),
+                          [](const Member& member) { return !member.is_inside; });
     result.push_back(std::move(members));
   }
   return result;
@@ -177,10 +148,22 @@ std::vector<std::vector<Member>> find_members(std::span<const Detection> detecti
 
 }  // namespace
 
-std::vector<int> fit_common_axes(std::span<const Detection> detections,
-                                 std::vector<LastFit>* fits) {
-  std::vector<int> changed;
-  for (std::vector<Member>& members : find_members(detections, *fits)) {
+std::vector<CommonAxis> fit_common_axes(std::span<const Detection> detections,
+                                        std::vector<LastFit>* fits) {
+  std::vector<CommonAxis> axes;
+  std::vector<char> taken(fits->size(), 0);
+  for (const auto& [a, b] : perhaps_one_centre(detections, *fits)) {
+    if (taken[a] || taken[b]) continue;
+    std::vector<Member> sides;
+    for (const int k : {a, b}) {
+      sides.push_back(member_of(k, (*fits)[k], shows_inside(detections[k]), true));
+    }
+    const std::optional<CoaxialFit> joint = fit_one_centre(sides);
+    if (!joint) continue;
+    axes.push_back(set_fits(sides, *joint, fits));
+    taken[a] = taken[b] = 1;
+  }
+  for (std::vector<Member>& members : find_members(detections, *fits, taken)) {
     std::optional<CoaxialFit> joint = fit_members(members);
     while (joint) {
       const std::optional<std::size_t> worst = misfit(members, *joint);
@@ -189,10 +172,9 @@ std::vector<int> fit_common_axes(std::span<const Detection> detections,
       joint = fit_members(members);
     }
     if (!joint) continue;
-    set_fits(members, *joint, fits);
-    for (const Member& member : members) changed.push_back(member.index);
+    axes.push_back(set_fits(members, *joint, fits));
   }
-  return changed;
+  return axes;
 }
 
 }  // namespace quadrille

@@ -16,6 +16,9 @@ namespace {
 constexpr Eigen::Index kAxis = 4;
 // A step that promises a smaller share of the sum of squares is not taken.
 constexpr double kMinGain = 1e-5;
+// Share of the largest diagonal element that is added to all, so that unknowns on which nothing
+// depends do no harm.
+constexpr double kRidge = 1e-12;
 // Largest Levenberg-Marquardt damping, relative to the diagonal, before the fit ends.
 constexpr double kMaxDamping = 1e3;
 
@@ -25,10 +28,19 @@ bool moves(const FamilySpec& spec, int motion) {
   return std::find(spec.motions.begin(), spec.motions.end(), motion) != spec.motions.end();
 }
 
-/// Number of unknowns of a part's profile.
-Eigen::Index profile_size(Family family) {
+/// Number of unknowns of a part's profile: its shapes, and its height if the family has one.
+std::size_t profile_size(Family family) {
   const FamilySpec& spec = family_spec(family);
-  return static_cast<Eigen::Index>(spec.shapes.size()) + (moves(spec, kTz) ? 1 : 0);
+  return spec.shapes.size() + (moves(spec, kTz) ? 1 : 0);
+}
+
+/// Which of these a part shares with another one to which it is parallel: the only shape of a cone
+/// is its slope, and the centre of a sphere comes after its shape. Parallel cylinders share nothing
+/// but the axis.
+std::optional<std::size_t> shared_by_parallels(Family family) {
+  if (family == Family::kCone) return 0;
+  if (family == Family::kSphere) return 1;
+  return std::nullopt;
 }
 
 /// A part about the axis: its canonical matrix in the unit of its local coordinates, and the height
@@ -68,8 +80,13 @@ class JointFit {
  public:
   explicit JointFit(std::span<const CoaxialPart> parts) : parts_(parts), size_(kAxis) {
     for (const CoaxialPart& part : parts) {
-      first_.push_back(size_);
-      size_ += profile_size(part.fit.family);
+      std::vector<Eigen::Index> columns(profile_size(part.fit.family));
+      const auto shared =
+          part.parallel_to ? shared_by_parallels(part.fit.family) : std::optional<std::size_t>();
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        columns[k] = k == shared ? columns_[*part.parallel_to][k] : size_++;
+      }
+      columns_.push_back(std::move(columns));
     }
   }
 
@@ -93,8 +110,10 @@ class JointFit {
         profile.D = turn.asDiagonal() * profile.D * turn.asDiagonal();
         own_z_C = -own_z_C;
       }
-      profile.height = z_C.dot(middle_C(part) - state.X_CA.translation()) +
-                       part.local.scale * own_z_C.dot(X.translation());
+      profile.height = z_C.dot(middle_C(part) - state.X_CA.translation());
+      if (part.fit.family != Family::kSphere) {
+        profile.height += part.local.scale * own_z_C.dot(X.translation());
+      }
       state.profiles.push_back(profile);
     }
     return state;
@@ -147,12 +166,12 @@ class JointFit {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const FamilySpec& spec = family_spec(parts_[i].fit.family);
       Profile profile = state.profiles[i];
-      Eigen::Index k = first_[i];
+      std::size_t k = 0;
       for (const auto& [row, column] : spec.shapes) {
-        profile.D(row, column) += step[k++];
+        profile.D(row, column) += step[columns_[i][k++]];
         profile.D(column, row) = profile.D(row, column);
       }
-      if (moves(spec, kTz)) profile.height += parts_[i].local.scale * step[k];
+      if (moves(spec, kTz)) profile.height += step[columns_[i][k]];
       next.profiles.push_back(profile);
     }
     return next;
@@ -165,9 +184,12 @@ class JointFit {
   }
 
   /// A point of a part's axis in the middle of its points, whose centroid is the origin of the
-  /// local coordinates.
+  /// local coordinates. Through the centre of a sphere runs any axis.
   static Eigen::Vector3d middle_C(const CoaxialPart& part) {
     const Eigen::Isometry3d& X = part.fit.posed.X;
+    if (part.fit.family == Family::kSphere) {
+      return part.local.centre + part.local.scale * X.translation();
+    }
     const Eigen::Vector3d z = X.linear().col(2);
     const Eigen::Vector3d middle = X.translation() - z.dot(X.translation()) * z;
     return part.local.centre + part.local.scale * middle;
@@ -182,7 +204,7 @@ class JointFit {
     const double scale = part.local.scale;
     Eigen::MatrixXd M =
         Eigen::MatrixXd::Zero(shapes + static_cast<Eigen::Index>(spec.motions.size()), size_);
-    M.block(0, first_[i], shapes, shapes).setIdentity();
+    for (Eigen::Index k = 0; k < shapes; ++k) M(k, columns_[i][k]) = 1.0;
     Eigen::Index row = shapes;
     for (const int motion : spec.motions) {
       switch (motion) {
@@ -195,7 +217,7 @@ class JointFit {
           M(row, 2) = -height / scale;
           break;
         case kTz:
-          M(row, first_[i] + shapes) = 1.0;
+          M(row, columns_[i][shapes]) = 1.0 / scale;
           break;
         case kRx:
           M(row, 2) = 1.0;
@@ -212,8 +234,8 @@ class JointFit {
   }
 
   std::span<const CoaxialPart> parts_;
-  /// Number of the first unknown of each part's profile.
-  std::vector<Eigen::Index> first_;
+  /// For each part the unknowns of its profile.
+  std::vector<std::vector<Eigen::Index>> columns_;
   Eigen::Index size_;
 };
 
@@ -221,7 +243,7 @@ class JointFit {
 Eigen::VectorXd solve(const Equations& equations, double damping) {
   Eigen::MatrixXd A = equations.A;
   A.diagonal().array() +=
-      damping * equations.A.diagonal().array() + 1e-12 * equations.A.diagonal().maxCoeff();
+      damping * equations.A.diagonal().array() + kRidge * equations.A.diagonal().maxCoeff();
   return -A.ldlt().solve(equations.b);
 }
 
@@ -263,19 +285,18 @@ std::optional<CoaxialFit> fit_coaxial(std::span<const CoaxialPart> parts, int it
   return std::move(equations.fit);
 }
 
-std::vector<Eigen::MatrixXd> covariances(const CoaxialFit& fit, std::span<const double> variances) {
+CoaxialCovariance covariance_of(const CoaxialFit& fit, std::span<const double> variances) {
   const Eigen::Index size = fit.information.front().rows();
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size), S = H;
   for (std::size_t i = 0; i < fit.information.size(); ++i) {
     H += fit.information[i];
     S += variances[i] * fit.information[i];
   }
+  // Spheres about one centre leave the direction of the axis open, on which they do not depend.
+  H.diagonal().array() += kRidge * H.diagonal().maxCoeff();
   const Eigen::LDLT<Eigen::MatrixXd> factors(H);
   const Eigen::MatrixXd half = factors.solve(S);
-  const Eigen::MatrixXd covariance = factors.solve(Eigen::MatrixXd(half.transpose()));
-  std::vector<Eigen::MatrixXd> result;
-  for (const Eigen::MatrixXd& M : fit.map) result.push_back(M * covariance * M.transpose());
-  return result;
+  return {factors.solve(Eigen::MatrixXd(half.transpose())), fit.map};
 }
 
 }  // namespace quadrille

@@ -164,8 +164,11 @@ Measured measure_all(const Scene& scene, const DetectorOptions& options) {
     fits[k] = last_fit(surfaces[k], scene.finest, scatter, sights, outline);
     measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
   });
-  for (const int k : fit_common_axes(measured.detections, &fits)) {
-    measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
+  const std::vector<CommonAxis> axes = fit_common_axes(measured.detections, &fits);
+  for (const CommonAxis& axis : axes) {
+    for (const int k : axis.members) {
+      measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
+    }
   }
   if (seeks_planes) add_planes(scene, std::move(planes), &measured);
   return measured;

@@ -52,13 +52,16 @@ std::size_t refit(std::vector<RoundWall>* walls) {
     detections.push_back(w.detection);
     fits.push_back(w.fit);
   }
-  const std::vector<int> changed = fit_common_axes(detections, &fits);
-  for (const int k : changed) {
-    RoundWall& w = (*walls)[k];
-    w.fit = fits[k];
-    w.detection = measure(w.fit.surface, w.samples, kWallEye);
+  std::size_t changed = 0;
+  for (const CommonAxis& axis : fit_common_axes(detections, &fits)) {
+    for (const int k : axis.members) {
+      RoundWall& w = (*walls)[k];
+      w.fit = fits[k];
+      w.detection = measure(w.fit.surface, w.samples, kWallEye);
+    }
+    changed += axis.members.size();
   }
-  return changed.size();
+  return changed;
 }
 
 /// Sine of the angle between a wall's axis and a direction.

@@ -118,10 +118,10 @@ TEST_CASE("one part about its own axis is fitted as alone", "[fit]") {
     REQUIRE(joint);
     CHECK(joint->parts[0].rss == Approx(body.parts[0].fit.rss).epsilon(1e-3));
     CHECK(difference(joint->parts[0].posed.matrix(), body.parts[0].fit.posed.matrix()) < 1e-3);
-    const std::vector<Eigen::MatrixXd> covariance = covariances(*joint, std::vector{1.0});
+    const CoaxialCovariance covariance = covariance_of(*joint, std::vector{1.0});
     const Eigen::MatrixXd expected =
         (information(body.points[0], joint->parts[0]).JtJ * body.parts[0].weight * 4.0).inverse();
-    CHECK((covariance[0] - expected).norm() < 1e-2 * expected.norm());
+    CHECK((covariance.between(0, 0) - expected).norm() < 1e-2 * expected.norm());
   }
 }
 
@@ -141,9 +141,47 @@ TEST_CASE("the covariance of a joint fit is that of repeated measurements", "[fi
     const double shape = joint->parts[0].posed.D(3, 3);
     sum += shape / kRounds;
     squares += shape * shape / kRounds;
-    predicted += covariances(*joint, std::vector{1.0, 1.0})[0](0, 0) / kRounds;
+    predicted += covariance_of(*joint, std::vector{1.0, 1.0}).between(0, 0)(0, 0) / kRounds;
   }
   CHECK(squares - sum * sum == Approx(predicted).epsilon(0.25));
+}
+
+TEST_CASE("parallel cones share their slope, and spheres their centre", "[fit][law]") {
+  RandomStream random(55, 0);
+  for (const FamilyExample& example : family_examples()) {
+    if (example.family != Family::kCone && example.family != Family::kSphere) continue;
+    Body body;
+    body.X_CA = random_pose(random, 0.5);
+    // The second cone is the first one, higher up; the second sphere lies around the first.
+    FamilyExample other = example;
+    const bool spheres = example.family == Family::kSphere;
+    if (spheres) other.D(3, 3) *= 1.3;
+    add_part(example, 0.2, false, 80, random, &body);
+    add_part(other, spheres ? 0.2 : 0.4, false, 80, random, &body);
+    PosedQuadric &a = body.parts[0].fit.posed, &b = body.parts[1].fit.posed;
+    if (spheres) {
+      b.X.translation() =
+          (body.parts[0].local.centre + body.parts[0].local.scale * a.X.translation() -
+           body.parts[1].local.centre) /
+          body.parts[1].local.scale;
+    } else {
+      b.D(2, 2) = a.D(2, 2);
+    }
+    body.parts[1].parallel_to = 0;
+    const auto joint = fit_coaxial(body.parts, 20);
+    REQUIRE(joint);
+    const auto place_of = [&](std::size_t i) -> Eigen::Vector3d {
+      const Normalisation& local = body.parts[i].local;
+      return local.centre + local.scale * joint->parts[i].posed.X.translation();
+    };
+    CHECK(joint->parts[0].posed.D(2, 2) == Approx(joint->parts[1].posed.D(2, 2)).epsilon(1e-9));
+    if (spheres) CHECK((place_of(0) - place_of(1)).norm() < 1e-9);
+    const Eigen::Vector3d truth = body.X_CA * Eigen::Vector3d(0.0, 0.0, 0.2);
+    CHECK((place_of(0) - truth).norm() < 10.0 * kNoise);
+    const double growth = joint->parts[0].rss + joint->parts[1].rss;
+    CHECK(growth < 1.2 * (body.parts[0].fit.rss + body.parts[1].fit.rss));
+    CHECK(covariance_of(*joint, std::vector{1.0, 1.0}).between(0, 1).allFinite());
+  }
 }
 
 TEST_CASE("points that are no numbers have no joint fit", "[fit][degenerate]") {
