@@ -30,6 +30,9 @@ TEST_CASE("bodies survive their message", "[bus][bodies]") {
     CHECK(b.size == a.size);
     CHECK(b.std == a.std);
     CHECK(b.seen == a.seen);
+    REQUIRE(b.wall.has_value() == a.wall.has_value());
+    if (a.wall) CHECK(b.wall->thickness == a.wall->thickness);
+    if (a.wall) CHECK(b.wall->std == a.wall->std);
     CHECK(b.standing_on == a.standing_on);
     CHECK(b.points == a.points);
     CHECK(b.views == a.views);
@@ -40,12 +43,15 @@ TEST_CASE("bodies survive their message", "[bus][bodies]") {
 TEST_CASE("bodies with values without meaning are refused", "[bus][bodies][hostile]") {
   const bodies_t valid = to_message(test::make_cloud(), test::make_bodies());
   bodies_t kind = valid, nan = valid, infinite = valid, unseen = valid, invisible = valid;
+  bodies_t wall = valid, no_wall = valid;
   kind.bodies[0].kind = 4;
   nan.bodies[1].std[0] = std::numeric_limits<double>::quiet_NaN();
   infinite.bodies[0].size[1] = std::numeric_limits<double>::infinity();
   unseen.bodies[0].unseen = -1.0;
   invisible.bodies[1].views = 0;
-  for (const bodies_t& bad : {kind, nan, infinite, unseen, invisible}) {
+  wall.bodies[0].wall_std = std::numeric_limits<double>::quiet_NaN();
+  no_wall.bodies[0].wall = 0.0;
+  for (const bodies_t& bad : {kind, nan, infinite, unseen, invisible, wall, no_wall}) {
     CHECK(test::refusal_in(decode_bodies(encode(bad))) == RejectReason::kBadValue);
   }
 }

@@ -80,6 +80,7 @@ inline std::vector<SceneBody> make_bodies() {
   box.points = 4321;
   box.views = 3;
   box.unseen = 1.5;
+  box.wall = BodyWall{0.004, 0.0005};
   SceneBody lump;
   lump.id = 11;
   lump.kind = BodyKind::kLump;

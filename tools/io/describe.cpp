@@ -92,6 +92,10 @@ std::string describe_lump(const SceneBody& lump) {
   return fmt::format("seen {:.0f} x {:.0f} x {:.0f} mm", size.x(), size.y(), size.z());
 }
 
+std::string describe_wall(const BodyWall& wall) {
+  return fmt::format("wall {:.1f} ± {:.1f} mm", 1000.0 * wall.thickness, 1000.0 * wall.std);
+}
+
 std::string name_of(const Detection& detection) {
   std::string text = fmt::format("{} {}", detection.id, to_string(detection.type));
   std::replace(text.begin(), text.end(), '_', ' ');

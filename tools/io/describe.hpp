@@ -34,6 +34,9 @@ std::string describe_body(const SceneBody& body);
 /// Returns the size of what was seen of a lump: "seen 50 x 40 x 30 mm".
 std::string describe_lump(const SceneBody& lump);
 
+/// Returns the thickness of a body's wall with its standard deviation: "wall 3.6 ± 0.4 mm".
+std::string describe_wall(const BodyWall& wall);
+
 /// Returns a name for pictures: "1 elliptic cylinder".
 std::string name_of(const Detection& detection);
 

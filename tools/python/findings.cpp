@@ -181,6 +181,18 @@ void bind_body(py::module_& module) {
           "deviations", [](const SceneBody& body) { return body.std; },
           "Standard deviations of the sizes, (3,) [m]; infinite if the view leaves one open.")
       .def_readonly("seen", &SceneBody::seen, "Whether each size was seen.")
+      .def_property_readonly(
+          "wall",
+          [](const SceneBody& body) {
+            return body.wall ? std::optional(body.wall->thickness) : std::nullopt;
+          },
+          "Thickness of its wall, such as that of a mug, if both sides were seen, or None [m].")
+      .def_property_readonly(
+          "wall_deviation",
+          [](const SceneBody& body) {
+            return body.wall ? std::optional(body.wall->std) : std::nullopt;
+          },
+          "Standard deviation of the thickness, or None [m].")
       .def_readonly("standing_on", &SceneBody::standing_on, "Id of the plane, or None.")
       .def_readonly("points", &SceneBody::points, "Number of cloud points on it.")
       .def_readonly("views", &SceneBody::views, "Number of views that show it.")

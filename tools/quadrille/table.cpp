@@ -64,10 +64,11 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
                         io::describe_box(box));
   }
   for (const SceneBody& body : result.bodies) {
-    // Without tracks the id of a round body says no more than that of its main part.
-    if (tracked && body.kind == BodyKind::kRevolution) {
-      text += fmt::format("  {:>3}  {}body of {}\n", body.id, track_of_body(body.id),
-                          fmt::join(body.parts, ", "));
+    // Without tracks and a wall a round body says no more than its main part.
+    if (body.kind == BodyKind::kRevolution && (tracked || body.wall)) {
+      text += fmt::format("  {:>3}  {}body of {}{}\n", body.id, track_of_body(body.id),
+                          fmt::join(body.parts, ", "),
+                          body.wall ? ", " + io::describe_wall(*body.wall) : "");
     }
     if (body.kind != BodyKind::kLump) continue;
     const Eigen::Vector3d p = body.X_CB.translation();

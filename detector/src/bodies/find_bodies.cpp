@@ -142,6 +142,7 @@ class BodyMaker {
       high = std::max(high, at);
       body.parts.push_back(id);
     }
+    body.wall = wall_of(body);
     body.X_CB.translation() = main.middle_C + 0.5 * (low + high) * z_C;
     body.size = {2.0 * radius, 2.0 * radius, high - low};
     body.seen[0] = body.seen[1] = std::isfinite(body.std.x());
@@ -151,6 +152,16 @@ class BodyMaker {
       body.seen[2] = body.seen[0];
     }
     return body;
+  }
+
+  /// The wall of a body of which both sides are parts; of several the one that is known best.
+  std::optional<BodyWall> wall_of(const SceneBody& body) const {
+    std::optional<BodyWall> best;
+    for (const SeenWall& wall : found_.walls) {
+      if (!contains(body.parts, wall.outer) || !contains(body.parts, wall.inner)) continue;
+      if (!best || wall.measured.std < best->std) best = wall.measured;
+    }
+    return best;
   }
 
   /// True if a lid closes the lower (−1) or upper (1) end of a body.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bodies/support.hpp"
+#include "bodies/walls.hpp"
 #include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "samples/surface_samples.hpp"
@@ -19,6 +20,8 @@ struct BodySources {
   const std::vector<int>& owner;
   /// Places on the planes among the detections.
   const PlacesOnPlanes& places_C;
+  /// Walls whose sides are among the detections.
+  const std::vector<SeenWall>& walls;
   /// False if only some types were asked for: then what nothing explains is not asked for either,
   /// and there are no lumps.
   bool all_types = true;

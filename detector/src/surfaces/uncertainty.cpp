@@ -67,31 +67,6 @@ double effective_views(const Surface& surface, const SurfaceSamples& samples) {
   return size * size / squares;
 }
 
-/// Standard deviation of what the whole surface may be off along its normals [unit of the fit].
-double offset_std(const Surface& surface, const SurfaceSamples& samples) {
-  if (!shares_noise(surface)) return 0.0;
-  double cells = 0.0;
-  for (const int i : surface.region) cells += samples.cell[i];
-  const double cell = cells / static_cast<double>(surface.region.size());
-  const double share = std::sqrt(surface.evidence.correlation / effective_views(surface, samples));
-  return kOffsetShare * share * cell / surface.local.scale;
-}
-
-/// Derivative of a function of the fit by the family's parameters, by finite differences.
-template <class Function>
-Eigen::MatrixXd derivative(const PosedQuadric& at, Family family, const Eigen::VectorXd& steps,
-                           const Function& f) {
-  const Eigen::VectorXd f0 = f(at);
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(f0.size(), steps.size());
-  for (Eigen::Index k = 0; k < steps.size(); ++k) {
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(steps.size());
-    step[k] = steps[k];
-    const Eigen::VectorXd f1 = f(moved(family, at, step));
-    if (f1.size() == f0.size()) J.col(k) = (f1 - f0) / steps[k];
-  }
-  return J;
-}
-
 /// Dimensions of a posed quadric; empty if it is of another type.
 Eigen::VectorXd dimensions_of(const PosedQuadric& quadric, QuadricType type) {
   const CanonicalForm form = canonical_form(quadric);
@@ -120,6 +95,28 @@ double published_std(double value, double std, QuadricType type) {
 }
 
 }  // namespace
+
+Eigen::MatrixXd derivative(const PosedQuadric& at, Family family, const Eigen::VectorXd& steps,
+                           const std::function<Eigen::VectorXd(const PosedQuadric&)>& f) {
+  const Eigen::VectorXd f0 = f(at);
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(f0.size(), steps.size());
+  for (Eigen::Index k = 0; k < steps.size(); ++k) {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(steps.size());
+    step[k] = steps[k];
+    const Eigen::VectorXd f1 = f(moved(family, at, step));
+    if (f1.size() == f0.size()) J.col(k) = (f1 - f0) / steps[k];
+  }
+  return J;
+}
+
+double offset_std(const Surface& surface, const SurfaceSamples& samples) {
+  if (!shares_noise(surface)) return 0.0;
+  double cells = 0.0;
+  for (const int i : surface.region) cells += samples.cell[i];
+  const double cell = cells / static_cast<double>(surface.region.size());
+  const double share = std::sqrt(surface.evidence.correlation / effective_views(surface, samples));
+  return kOffsetShare * share * cell / surface.local.scale;
+}
 
 double variance_of_mean(const Surface& surface) {
   const double n = surface.fit.points;

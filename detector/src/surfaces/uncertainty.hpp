@@ -1,7 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
 #include <vector>
 
+#include "fit/posed_quadric.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "surfaces/surface.hpp"
@@ -26,6 +29,17 @@ double variance_of_mean(const Surface& surface);
 /// in which it is measured, if the depth image is bent or if the body has a flaw. Zero if
 /// neighbours do not share their noise.
 double bend_variance(const Surface& surface);
+
+/// Standard deviation of what the whole surface may be off along its normals, in the unit of its
+/// local coordinates.
+double offset_std(const Surface& surface, const SurfaceSamples& samples);
+
+/// Derivative of a function of a posed quadric by a family's parameters, shapes and then motions,
+/// by finite differences.
+/// @param steps  the difference for each parameter
+/// @param f      a step after which it has another size does not count
+Eigen::MatrixXd derivative(const PosedQuadric& at, Family family, const Eigen::VectorXd& steps,
+                           const std::function<Eigen::VectorXd(const PosedQuadric&)>& f);
 
 /// Computes the covariance of a surface's fit, and from it, through the derivatives by the family's
 /// parameters, that of q and of the dimensions. It has two parts. One is V (JᵀJ / N)⁻¹, where N is

@@ -10,6 +10,7 @@
 
 #include "bodies/common_axis.hpp"
 #include "bodies/find_bodies.hpp"
+#include "bodies/walls.hpp"
 #include "boxes/find_boxes.hpp"
 #include "boxes/flat_patches.hpp"
 #include "boxes/join_boxes.hpp"
@@ -66,6 +67,8 @@ struct Measured {
   std::vector<int> of_plane;
   /// Places on the planes, by the indices of their detections.
   PlacesOnPlanes places;
+  /// Walls, by the indices of their sides' detections.
+  std::vector<SeenWall> walls;
 };
 
 /// The covariance of the points in the cell of each finest sample [m²]; zero for samples that are
@@ -138,7 +141,7 @@ void add_planes(const Scene& scene, std::vector<std::optional<Detection>> planes
 
 /// Measures the surfaces and planes of a scene.
 Measured measure_all(const Scene& scene, const DetectorOptions& options) {
-  Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}};
+  Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}, {}};
   std::vector<int> sample_of(measured.owner.size(), -1);
   const std::vector<Surface> surfaces = surfaces_off_planes(scene, &measured, &sample_of);
 
@@ -170,6 +173,7 @@ Measured measure_all(const Scene& scene, const DetectorOptions& options) {
       measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
     }
   }
+  measured.walls = find_walls(measured.detections, fits, scene.finest, axes);
   if (seeks_planes) add_planes(scene, std::move(planes), &measured);
   return measured;
 }
@@ -283,10 +287,14 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
   const bool all_types = options.only.empty() && options.report.empty();
   PlacesOnPlanes places;
   for (auto& [index, of_plane] : measured.places) places[ids[index]] = std::move(of_plane);
+  for (SeenWall& wall : measured.walls) {
+    wall.outer = ids[wall.outer], wall.inner = ids[wall.inner];
+  }
   std::optional<SurfaceSamples> linked;
   if (scene.views.size() > 1) linked = linked_views(scene.finest, unexplained);
-  findings.bodies = find_bodies({findings.detections, findings.boxes,
-                                 linked ? *linked : scene.finest, owner, places, all_types});
+  findings.bodies =
+      find_bodies({findings.detections, findings.boxes, linked ? *linked : scene.finest, owner,
+                   places, measured.walls, all_types});
   if (scene.views.size() > 1 || !scene.views.front().has_points()) {
     for (int& k : measured.of_plane) k = k < 0 ? 0 : ids[k];
     note_views(scene, owner, measured.of_plane, &findings.bodies);

@@ -76,6 +76,8 @@ Json to_json(const std::vector<Box>& boxes) {
   return array;
 }
 
+Json to_json(const BodyWall& wall) { return {{"thickness", wall.thickness}, {"std", wall.std}}; }
+
 Json to_json(const SceneBody& body) {
   Json json = {{"id", body.id},
                {"kind", to_string(body.kind)},
@@ -84,6 +86,7 @@ Json to_json(const SceneBody& body) {
                {"size", array_of(body.size)},
                {"std", array_of(body.std)},
                {"seen", body.seen},
+               {"wall", body.wall ? to_json(*body.wall) : Json()},
                {"standing_on", body.standing_on ? Json(*body.standing_on) : Json()},
                {"points", body.points},
                {"views", body.views},

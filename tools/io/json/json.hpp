@@ -39,6 +39,7 @@ Json to_json(const Detection& detection);
 Json to_json(const Box& box);
 
 /// Returns bodies, in their order; an infinite deviation becomes null.
+Json to_json(const BodyWall& wall);
 Json to_json(const SceneBody& body);
 Json to_json(const std::vector<SceneBody>& bodies);
 

@@ -139,6 +139,9 @@ void add_common(const Scene& scene, int id, Json* object) {
   if (const auto sighting = scene.sightings.find(id); sighting != scene.sightings.end()) {
     (*object)["views"] = sighting->second.views;
     (*object)["unseen"] = sighting->second.unseen;
+    if (const auto& wall = sighting->second.wall) {
+      (*object)["lines"].push_back(io::describe_wall(*wall));
+    }
     // A quadric has a track of its own.
     const int track = sighting->second.track;
     if (track > 0 && (*object)["kind"] != "quadric") (*object)["track"] = track;
@@ -196,7 +199,7 @@ std::vector<SceneBody> lumps_of(const std::vector<SceneBody>& bodies) {
 std::map<int, Sighting> sightings_of(const std::vector<SceneBody>& bodies) {
   std::map<int, Sighting> sightings;
   for (const SceneBody& body : bodies) {
-    const Sighting sighting{body.views, body.unseen, body.track};
+    const Sighting sighting{body.views, body.unseen, body.track, body.wall};
     sightings[body.id] = sighting;
     for (const int part : body.parts) sightings[part] = sighting;
   }

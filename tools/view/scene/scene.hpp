@@ -19,7 +19,7 @@ namespace quadrille::view {
 /// Number of refused candidates by the name of the reason.
 using Rejected = std::map<std::string, std::int64_t>;
 
-/// How well remembered views show a body; see SceneBody.
+/// What is known of a body and told with each of its parts; see SceneBody.
 struct Sighting {
   /// Number of views that show it.
   int views = 1;
@@ -27,6 +27,7 @@ struct Sighting {
   double unseen = 0.0;
   /// Track of the body; 0 if it has none.
   int track = 0;
+  std::optional<BodyWall> wall = {};
 };
 
 /// Everything that is shown of one cloud, in one frame C.

@@ -22,6 +22,14 @@ enum class BodyKind {
 /// Returns the kind as messages and JSON name it: "single", "revolution", "box" or "lump".
 QUADRILLE_EXPORT std::string_view to_string(BodyKind kind);
 
+/// The wall of a hollow body, such as a mug or a bowl.
+struct BodyWall {
+  /// Distance between its outer and its inner side along their normals, and its standard deviation
+  /// [m]. A sensor that smooths its image may move each side along its normals; these errors are
+  /// taken to be independent of each other.
+  double thickness = 0.0, std = 0.0;
+};
+
 /// One thing of the scene, in a cloud with frame C.
 struct SceneBody {
   /// The id of its box, or of the part whose axis and frame it has. The ids of lumps continue those
@@ -40,6 +48,9 @@ struct SceneBody {
   /// True for each of x, y, z along which the size was seen. Otherwise the size is a guess, or that
   /// of the seen part alone.
   std::array<bool, 3> seen = {false, false, false};
+  /// The body's wall, if both sides of it are parts of the body: one was seen from outside and the
+  /// other from inside, at equal heights, and they are farther apart than their deviation.
+  std::optional<BodyWall> wall;
   /// Id of the plane on which the body stands, negative if that plane was not asked for; none if
   /// the body leans, hangs or its foot is hidden.
   std::optional<int> standing_on;

@@ -10,12 +10,19 @@
 namespace quadrille::bus {
 namespace {
 
-/// Size of a body without parts: five integers, the kind, 14 doubles and three flags.
-constexpr std::size_t kMinBodyBytes = 5 * 4 + 1 + 14 * 8 + 3;
+/// Size of a body without parts: five integers, the kind, 16 doubles and three flags.
+constexpr std::size_t kMinBodyBytes = 5 * 4 + 1 + 16 * 8 + 3;
 
 /// A deviation may be infinite.
 void check_deviation(double std) {
   if (!(std >= 0.0)) refuse(RejectReason::kBadValue, "std " + std::to_string(std));
+}
+
+/// A wall has a thickness and a finite deviation, or both are 0.
+void check_wall(double wall, double std) {
+  const bool known = wall > 0.0 && std >= 0.0 && std::isfinite(wall) && std::isfinite(std);
+  if (known || (wall == 0.0 && std == 0.0)) return;
+  refuse(RejectReason::kBadValue, "wall " + std::to_string(wall) + " " + std::to_string(std));
 }
 
 void check_body(ByteReader& reader) {
@@ -29,6 +36,8 @@ void check_body(ByteReader& reader) {
   reader.skip_finite("size", 3);
   for (int i = 0; i < 3; ++i) check_deviation(reader.read_double("std"));
   for (int i = 0; i < 3; ++i) reader.read_int8("seen");
+  const double wall = reader.read_double("wall");
+  check_wall(wall, reader.read_double("wall_std"));
   reader.read_int32("standing_on");
   if (reader.read_int32("points") < 0) refuse(RejectReason::kBadValue, "points");
   if (reader.read_int32("views") < 1) refuse(RejectReason::kBadValue, "views");
@@ -51,6 +60,7 @@ SceneBody to_body(const body_t& m) {
   body.size = Eigen::Vector3d(m.size);
   body.std = Eigen::Vector3d(m.std);
   for (int i = 0; i < 3; ++i) body.seen[i] = m.seen[i] != 0;
+  if (m.wall > 0.0) body.wall = BodyWall{m.wall, m.wall_std};
   if (m.standing_on != 0) body.standing_on = m.standing_on;
   body.points = m.points;
   body.views = m.views;
@@ -77,6 +87,8 @@ body_t to_message(const SceneBody& body) {
   std::copy_n(body.size.data(), 3, m.size);
   std::copy_n(body.std.data(), 3, m.std);
   for (int i = 0; i < 3; ++i) m.seen[i] = body.seen[i];
+  const BodyWall wall = body.wall.value_or(BodyWall{});
+  m.wall = wall.thickness, m.wall_std = wall.std;
   m.standing_on = body.standing_on.value_or(0);
   m.points = body.points;
   m.views = body.views;
