@@ -12,9 +12,6 @@ namespace {
 
 // Distance between two axes that noise explains [m].
 constexpr double kMaxOffsetNoise = 0.003;
-// Gap along the axis between parts of one body, as a share of the larger radius. The detector
-// leaves out narrow shoulders and rims.
-constexpr double kMaxGapShare = 0.6;
 // A lid is at most this much larger than the part that it closes.
 constexpr double kMaxLidShare = 1.25;
 // Two semi-axes are equal if they differ by no more than this share.

@@ -9,6 +9,10 @@
 
 namespace quadrille {
 
+/// Gap along the axis between parts of one body, as a share of the larger radius. The detector
+/// leaves out narrow shoulders and rims.
+inline constexpr double kMaxGapShare = 0.6;
+
 /// A detection that may be a part of a body of revolution.
 struct AxialPart {
   const Detection* detection = nullptr;

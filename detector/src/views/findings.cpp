@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "bodies/close_lengths.hpp"
 #include "bodies/common_axis.hpp"
 #include "bodies/find_bodies.hpp"
 #include "bodies/walls.hpp"
@@ -173,6 +174,7 @@ Measured measure_all(const Scene& scene, const DetectorOptions& options) {
       measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
     }
   }
+  close_lengths(fits, scene.finest, axes, &measured.detections);
   measured.walls = find_walls(measured.detections, fits, scene.finest, axes);
   if (seeks_planes) add_planes(scene, std::move(planes), &measured);
   return measured;
