@@ -11,6 +11,7 @@
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/surface_fit.hpp"
+#include "surfaces/walls.hpp"
 
 namespace quadrille {
 namespace {
@@ -99,8 +100,11 @@ class Aggregation::Offer {
       doubtful_.push_back(std::move(pending.candidate));
       return false;
     }
-    to_.accept(to_.joined(std::move(*trial.surface)));
-    const Eigen::AlignedBox3f claim = box_of(to_.samples_, to_.surfaces_.back().region);
+    Eigen::AlignedBox3f claim;
+    for (Surface& surface : to_.joined(std::move(*trial.surface))) {
+      claim.extend(box_of(to_.samples_, surface.region));
+      to_.accept(std::move(surface));
+    }
     for (std::size_t c = 0; c < value_.size(); ++c) {
       if (value_[c] > 0 && box_[c].intersects(claim)) value_[c] = value_of(to_.pending_[c]);
     }
@@ -269,8 +273,11 @@ bool Aggregation::is_acceptable(const Surface& surface, const Acceptance& asked)
   return !(surface.rms > asked.max_residual * mean_sigma(samples_, surface.region));
 }
 
-/// Merges the surface with earlier ones that the same quadric explains, and removes those.
-Surface Aggregation::joined(Surface surface) {
+/// Merges the surface with earlier ones that the same quadric explains, and removes those. If these
+/// are the two walls of a body, they stay two.
+/// @return the surface, and the other walls of its body
+std::vector<Surface> Aggregation::joined(Surface surface) {
+  std::vector<Surface> result;
   for (std::size_t k = 0; k < surfaces_.size();) {
     std::optional<Surface> joint = join(surface, surfaces_[k], samples_, options_);
     if (!joint) {
@@ -281,11 +288,19 @@ Surface Aggregation::joined(Surface surface) {
     const double min_confidence = std::max(surface.confidence, surfaces_[k].confidence);
     surfaces_.erase(surfaces_.begin() + static_cast<std::ptrdiff_t>(k));
     accepted_.places.erase(accepted_.places.begin() + static_cast<std::ptrdiff_t>(k));
-    weigh(&*joint, accepted_);
-    joint->confidence = std::max(min_confidence, joint->confidence);
-    surface = std::move(*joint);
+    const auto weighed = [&](Surface weighed) {
+      weigh(&weighed, accepted_);
+      weighed.confidence = std::max(min_confidence, weighed.confidence);
+      return weighed;
+    };
+    if (std::optional<TwoWalls> walls = two_walls(*joint, samples_, options_)) {
+      result.push_back(weighed(std::move(walls->down)));
+      joint = std::move(walls->up);
+    }
+    surface = weighed(std::move(*joint));
   }
-  return surface;
+  result.push_back(std::move(surface));
+  return result;
 }
 
 void Aggregation::accept(Surface surface) {

@@ -65,7 +65,7 @@ class Aggregation {
   double first_confidence(PendingCandidate* pending, double asked, const Accepted& accepted) const;
   bool is_acceptable(const Surface& surface, const Acceptance& asked) const;
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
-  Surface joined(Surface surface);
+  std::vector<Surface> joined(Surface surface);
   void accept(Surface surface);
   void weigh(Surface* surface, const Accepted& accepted, double asked = 0.0) const;
   double asked_of(const Surface& surface, const Acceptance& asked) const;

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quadrille/detector/stage_options.hpp"
+#include "surfaces/surface.hpp"
+
+namespace quadrille {
+
+/// The samples of a surface by the side from which it was seen: up the gradient of its quadric, or
+/// down.
+struct WallSides {
+  std::vector<int> up, down;
+};
+
+WallSides sides_of(const Quadric& Q, const SurfaceSamples& samples, std::span<const int> region);
+
+/// The thickness of a wall that was seen from both sides, such as a mug's.
+struct MeasuredThickness {
+  /// Thickness and its standard deviation [m].
+  double value, std;
+};
+
+/// Measures how far the two sides of a surface are apart, which one quadric was fitted to.
+///
+/// Such a fit hides the thickness: if it lies nearer to the viewer by half of it, it meets the
+/// middle of both walls, and misses only their flanks. So the quadric has to move as it is
+/// measured: the side seen down the gradient lies at r = −t for first-order distances r, and the
+/// parameters θ and t are fitted by Gauss-Newton steps
+///
+///   Δt = −(Σ (r + t) − cᵀ A⁻¹ b) / m,  Δθ = −A⁻¹ (b + c Δt),  m = n − cᵀ A⁻¹ c.
+///
+/// Here the sum, the number n and c = Jᵀ1 are of that side alone, J = dr/dθ, and A = JᵀJ and
+/// b = Jᵀr + c t are of all samples. The variance of t is that of r over m, times the number of
+/// samples for each independent one.
+/// @return nullopt if the samples do not determine t, or if the surface was seen from one side
+std::optional<MeasuredThickness> wall_thickness(const Surface& surface,
+                                                const SurfaceSamples& samples,
+                                                const WallSides& sides);
+
+/// The two walls of a body of which both were seen, such as the outer and the inner one of a mug.
+struct TwoWalls {
+  Surface up, down;
+};
+
+/// Tells the walls apart that one quadric was fitted to, and fits each to its own samples, without
+/// evidence.
+/// @return nullopt if the wall is not known to have a thickness, or is thicker than those of
+///   vessels; a thin shell is one surface. Also if one side has too few samples or no fit.
+std::optional<TwoWalls> two_walls(const Surface& surface, const SurfaceSamples& samples,
+                                  const AggregateOptions& options);
+
+}  // namespace quadrille
