@@ -92,6 +92,7 @@ TEST_CASE("bodies and their tracks are shown", "[command][show]") {
   mug.standing_on = 1;
   mug.points = 420;
   mug.track = 3;
+  mug.wall = BodyWall{0.004, 0.001};
   bus::CloudMessage cloud;
   cloud.utime = 1500;
   cloud.cloud.frame = "camera";
@@ -100,7 +101,7 @@ TEST_CASE("bodies and their tracks are shown", "[command][show]") {
                                                  bus::encode(bus::tracks_message(cloud, {mug}))}));
   INFO(run.out << run.err);
   CHECK(contains(run.out, "bodies: 1\n   8  revolution "));
-  CHECK(contains(run.out, "80.0 x 80.0 x (95.4) mm, on 1, parts 8 13\n"));
+  CHECK(contains(run.out, "80.0 x 80.0 x (95.4) mm, on 1, parts 8 13, wall 4.0 ± 1.0 mm\n"));
   CHECK(contains(run.out, "tracks of bodies: 1\n   8  track 3\n"));
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",
   CHECK(run.code == 0);
   CHECK(run.out.empty());
   CHECK(contains(run.err, "1 message of quadrics, boxes, bodies, grasps or status damaged"));
-  CHECK(contains(run.err, "holds no quadrics and no grasps"));
+  CHECK(contains(run.err, "holds no quadrics, boxes, bodies, grasps or status; record"));
   check_failure(run_quadrille("show " + folder.path("none.lcm")), "no such file");
   check_failure(run_quadrille("show " + folder.write("text.lcm", "no log")), "is not an LCM log");
 }

@@ -64,8 +64,10 @@ TEST_CASE("a cloud of a log comes with the robot's shapes that were told nearest
                 bus::encode_cloud({utime, 0, cloud}, bus::CloudFormat::kDrake));
       tell(utime + 2, 0.001 * static_cast<double>(utime));
     }
+    log.write(50, "ROBOT", std::vector<std::byte>(20));
   }
   view::LogFrames frames(path, "", 1.0, "ROBOT");
+  CHECK(frames.robot_refusals().count == 1);
   CHECK(frames.load(0)->robot == nullptr);
   CHECK(frames.load(2)->robot->robot.padding == 0.024);
   CHECK(frames.load(1)->robot->robot.padding == 0.010);

@@ -151,7 +151,7 @@ TEST_CASE("a cloud that cannot be placed is left out, with a warning that names 
 TEST_CASE("the page gets the robot, obstacles, the camera and its path", "[view][pack]") {
   view::LatestMessages messages = messages_in("depth", "world");
   add_poses(messages);
-  messages.robot.add(bus::encode(robot_in("camera")));
+  CHECK(!messages.robot.add(bus::encode(robot_in("camera"))));
   messages.obstacles = obstacles_in("world");
   const view::Scene scene = scene_made_of(messages);
   CHECK(scene.warnings.empty());
@@ -170,7 +170,7 @@ TEST_CASE("the page gets the robot, obstacles, the camera and its path", "[view]
 TEST_CASE("without poses a page has no camera, and shapes of other frames are left out",
           "[view][pack]") {
   view::LatestMessages messages = messages_in("depth", "depth");
-  messages.robot.add(bus::encode(robot_in("depth")));
+  CHECK(!messages.robot.add(bus::encode(robot_in("depth"))));
   messages.obstacles = obstacles_in("world");
   const view::Scene scene = scene_made_of(messages);
   CHECK(warns_of(scene, "the obstacles are not shown: they are in frame 'world'"));
@@ -207,7 +207,7 @@ TEST_CASE("damaged messages about the surroundings are left out", "[view][live][
   const std::vector<std::byte> noise(300, std::byte{0xff});
   messages.camera.emplace();
   messages.camera->add(noise);
-  messages.robot.add(noise);
+  CHECK(messages.robot.add(noise));
   messages.obstacles = kept(noise);
   const view::Scene scene = scene_made_of(messages);
   CHECK(scene.cloud.points.size() == 1);

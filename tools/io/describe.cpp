@@ -84,6 +84,7 @@ std::string describe_body(const SceneBody& body) {
   text += " mm";
   if (body.standing_on) text += fmt::format(", on {}", *body.standing_on);
   if (!body.parts.empty()) text += fmt::format(", parts {}", fmt::join(body.parts, " "));
+  if (body.wall) text += ", " + describe_wall(*body.wall);
   return text;
 }
 

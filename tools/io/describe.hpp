@@ -27,8 +27,8 @@ std::string describe_dimensions(const Detection& detection);
 /// was not seen is given with its bounds: "60.0 (0.0 to 80.2)".
 std::string describe_box(const Box& box);
 
-/// Returns the size of a body, what it stands on and its parts: "80.0 x 80.0 x 95.0 mm, on 1, parts
-/// 2 5". A size that was not seen is in parentheses.
+/// Returns the size of a body, what it stands on, its parts and its wall: "80.0 x 80.0 x 95.0 mm,
+/// on 1, parts 2 5, wall 4.0 ± 1.0 mm". A size that was not seen is in parentheses.
 std::string describe_body(const SceneBody& body);
 
 /// Returns the size of what was seen of a lump: "seen 50 x 40 x 30 mm".

@@ -39,8 +39,7 @@ void PosedLogReader::take(const bus::LogReader::Event& event) {
   now_ = std::max(now_, event.utime);
   settle();
   if (!robot_channel_.empty() && event.channel == robot_channel_) {
-    const auto refused = robot_.add(event.bytes);
-    if (refused && robot_refusals_.count++ == 0) robot_refusals_.why_first = refused->detail;
+    robot_refusals_.add(robot_.add(event.bytes));
   }
   if (event.channel != pose_channel_) return;
   const auto decoded = bus::decode_pose(event.bytes);

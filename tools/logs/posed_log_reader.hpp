@@ -8,6 +8,7 @@
 #include <string>
 
 #include "logs/cloud_log_reader.hpp"
+#include "logs/robot_refusals.hpp"
 #include "poses/camera_poses.hpp"
 #include "poses/robot_trail.hpp"
 #include "poses/waiting_clouds.hpp"
@@ -20,12 +21,6 @@ struct PosedCloud {
   CameraPose pose;
   /// The robot's own shapes that were told nearest in time; null if none had been.
   std::shared_ptr<const RobotState> robot;
-};
-
-/// Messages on the robot's own shapes that were refused.
-struct RobotRefusals {
-  int count = 0;
-  std::string why_first;
 };
 
 /// Reads the clouds of a moving camera, and its poses, from an LCM log. Each cloud gets the pose

@@ -19,8 +19,8 @@ Eigen::Isometry3d pose_of_camera(const std::string& frame, const Placement& plac
   if (frame == cloud_frame) return placement.X_CK;
   if (frame != to_string(CloudFrame::kWorld)) {
     throw std::invalid_argument(
-        fmt::format("frame '{}' is not known: name 'camera', 'world', '{}' or ''", printable(frame),
-                    printable(cloud_frame)));
+        fmt::format("frame '{}' is not known: name 'camera', 'world', the cloud's ('{}') or ''",
+                    printable(frame), printable(cloud_frame)));
   }
   if (!placement.X_WK) {
     throw std::invalid_argument(

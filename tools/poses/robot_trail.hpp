@@ -20,7 +20,7 @@ class RobotTrail {
   static constexpr std::size_t kMaxStates = 256, kMaxBytes = std::size_t{64} << 20;
 
   /// Adds a message of type quadrille.robot_t; returns why it was refused, if it was.
-  std::optional<bus::Rejection> add(std::span<const std::byte> bytes);
+  [[nodiscard]] std::optional<bus::Rejection> add(std::span<const std::byte> bytes);
 
   /// Returns the state that is nearest to a time [us], or the newest one for a time of 0; null if
   /// there is none.

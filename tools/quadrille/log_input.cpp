@@ -137,11 +137,7 @@ void warn_of_robot(const std::string& lack, const logs::RobotRefusals& refusals,
                     "things: {}",
                     printable(channel), lack));
   }
-  if (refusals.count == 0) return;
-  warnings->push_back(
-      fmt::format("refused {} on {}, so points of the robot may be taken for things; the first: {}",
-                  io::count_of(static_cast<std::size_t>(refusals.count), "message"),
-                  printable(channel), refusals.why_first));
+  if (auto refused = refusals.warning(channel)) warnings->push_back(*std::move(refused));
 }
 
 constexpr const char* kUnmoved =

@@ -71,7 +71,7 @@ void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* sho
 std::string describe_nothing(const std::string& channel,
                              const std::map<std::string, std::int64_t>& channels) {
   if (channel.empty() || channels.empty()) {
-    return "holds no quadrics and no grasps; record QUADRICS and GRASPS";
+    return "holds no quadrics, boxes, bodies, grasps or status; record QUADRICS and GRASPS";
   }
   return fmt::format(
       "holds no quadrics, boxes, bodies, grasps or status on {}, but events on {}; name another "

@@ -134,7 +134,12 @@ std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
   };
   view::LogFrames frames(arguments.in_log, arguments.channel, arguments.frames.unit,
                          arguments.channels.robot);
-  if (frames.defect()) print_warnings(arguments.in_log, {*frames.defect()});
+  std::vector<std::string> warnings;
+  if (frames.defect()) warnings.push_back(*frames.defect());
+  if (auto refused = frames.robot_refusals().warning(arguments.channels.robot)) {
+    warnings.push_back(*std::move(refused));
+  }
+  print_warnings(arguments.in_log, warnings);
   return std::make_unique<view::LogBackend>(std::move(frames), known_grippers(setup.gripper.name),
                                             make_scene, arguments.limits);
 }

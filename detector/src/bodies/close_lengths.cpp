@@ -49,8 +49,8 @@ double meeting_std(const Neighbours& parts, const Place& at_cylinder, const Plac
   const double slope = slope_at(b.fit.posed.D, at_other), stretch = std::hypot(1.0, slope);
   // A profile that lies farther out by d along its normal has a radius that is d √(1 + slope²)
   // larger.
-  const Eigen::VectorXd g_a = mean_distance(a, {at_cylinder}).derivative;
-  const Eigen::VectorXd g_b = stretch * mean_distance(b, {at_other}).derivative;
+  const Eigen::VectorXd g_a = mean_distance(a, {at_cylinder}, own_axis(a)).derivative;
+  const Eigen::VectorXd g_b = stretch * mean_distance(b, {at_other}, own_axis(b)).derivative;
   double variance = g_a.dot(parameter_covariance(a) * g_a) + g_b.dot(parameter_covariance(b) * g_b);
   if (const auto between = parameter_covariance(parts.cylinder, parts.other, axes)) {
     variance -= 2.0 * g_a.dot(*between * g_b);
@@ -119,10 +119,11 @@ class Closing {
       const Eigen::Vector3d p_C =
           other.local.centre + unit * (other.fit.posed.X * Eigen::Vector3d(0.0, 0.0, z));
       const double at = (X_QC * p_C).z();
-      if (!(std::abs(at - last) < reach)) continue;
+      // A cone meets the cylinder again beyond its apex.
+      if (!(std::abs(at - last) < reach) || is_upper != (at < middle)) continue;
       const Surface& own = fits_[k].surface;
       const Place at_other{radius / unit, z};
-      const Place at_own{radius / own.local.scale, height_in(own, p_C)};
+      const Place at_own{radius / own.local.scale, height_in(own, p_C, own_axis(own))};
       const double std = meeting_std({k, i}, at_own, at_other, fits_, samples_, axes_);
       if (!(std < end.std)) continue;
       end = {at, std};

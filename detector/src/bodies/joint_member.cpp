@@ -18,8 +18,8 @@ constexpr int kJointSteps = 10;
 // Mean square of the distances that rounding leaves of exact points, in local coordinates.
 constexpr double kExactSquares = 1e-14;
 // Growth of the residuals counts as chance up to this quantile of the normal distribution, which
-// one body in a thousand exceeds. Of those in simulated kitchens one in twelve does, where sensors
-// bend surfaces by more than their noise tells.
+// one body in a thousand exceeds. In simulated kitchens one in twelve does, since
+// sensors bend surfaces by more than their noise tells.
 constexpr double kChance = 3.09;
 
 /// Quantile of the χ² distribution that belongs to a quantile of the normal one, by the

@@ -19,9 +19,10 @@ struct Member {
   /// Sum of squares of its fit alone, and by how much chance and bent surfaces let it grow for one
   /// unknown less; both in local coordinates.
   double alone, variance;
-  /// True if it was seen from inside, and if its axis is that of the others only within
-  /// kPerhapsOneAxis.
-  bool is_inside, is_guest;
+  /// True if it was seen from inside.
+  bool is_inside;
+  /// True if its axis is that of the others only within kPerhapsOneAxis.
+  bool is_guest;
 };
 
 /// Variance of the mean of a surface's noise, times the number of its points.

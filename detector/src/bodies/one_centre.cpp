@@ -68,6 +68,7 @@ std::vector<std::pair<int, int>> perhaps_one_centre(std::span<const Detection> d
 std::optional<CoaxialFit> fit_one_centre(const std::vector<Member>& sides) {
   const Eigen::Vector3d centre_C = mean_centre(sides);
   std::vector<CoaxialPart> parts;
+  parts.reserve(sides.size());
   for (const Member& side : sides) parts.push_back(sphere_about(side, centre_C));
   parts.back().parallel_to = 0;
   std::optional<JointChoice> joint;

@@ -20,9 +20,8 @@ std::vector<std::pair<int, int>> perhaps_one_centre(std::span<const Detection> d
 
 /// Fits the two sides of a wall, such as those of a bowl, as spheres about one centre. A small
 /// piece of a sphere says little about its radius and centre alone.
-/// @return nullopt if their residuals grow by more than chance does, or if a side that was no
-/// sphere
-///   alone had better stay what it was
+/// @return nullopt if their residuals grow by more than chance lets them, or if a side that was no
+///   sphere alone fits better as what it was
 std::optional<CoaxialFit> fit_one_centre(const std::vector<Member>& sides);
 
 }  // namespace quadrille

@@ -27,9 +27,12 @@ bool is_turned(const LastFit& fit) {
   return fit.points.size() > 0 && (family == Family::kSphere || has_one_axis(family));
 }
 
-double height_in(const Surface& surface, const Eigen::Vector3d& p_C) {
+Eigen::Vector3d own_axis(const Surface& surface) { return surface.fit.posed.X.linear().col(2); }
+
+double height_in(const Surface& surface, const Eigen::Vector3d& p_C,
+                 const Eigen::Vector3d& axis_C) {
   const Eigen::Vector3d p = (p_C - surface.local.centre) / surface.local.scale;
-  return (surface.fit.posed.X.inverse() * p).z();
+  return axis_C.dot(p - surface.fit.posed.X.translation());
 }
 
 std::optional<double> radius_at(const Eigen::Matrix4d& D, double z) {
@@ -38,12 +41,13 @@ std::optional<double> radius_at(const Eigen::Matrix4d& D, double z) {
   return std::sqrt(square);
 }
 
-MeanDistance mean_distance(const Surface& surface, const std::vector<Place>& places) {
+MeanDistance mean_distance(const Surface& surface, const std::vector<Place>& places,
+                           const Eigen::Vector3d& axis_C) {
   const FamilyFit& fit = surface.fit;
   const Eigen::Index size = surface.information.JtJ.rows();
   const auto mean = [&](const PosedQuadric& at) -> Eigen::VectorXd {
     // The place moves along the axis against the surface.
-    const double along = (at.X.translation() - fit.posed.X.translation()).dot(at.X.linear().col(2));
+    const double along = (at.X.translation() - fit.posed.X.translation()).dot(axis_C);
     double sum = 0.0;
     for (const Place& place : places) {
       sum += distance_at(at.D, {place.radius, place.height - along});

@@ -14,14 +14,19 @@ namespace quadrille {
 /// is its radius at each height z of its canonical frame.
 bool is_turned(const LastFit& fit);
 
-/// A place next to a profile: its distance from the axis, and its height in the canonical frame, in
-/// local coordinates.
+/// A place next to a profile: its distance from the axis, and its height along the axis over the
+/// middle of the canonical frame, in local coordinates.
 struct Place {
   double radius, height;
 };
 
-/// Height of a point in the canonical frame of a surface, in local coordinates.
-double height_in(const Surface& surface, const Eigen::Vector3d& p_C);
+/// The axis of a surface of revolution, z of its canonical frame; that of a sphere may be any.
+Eigen::Vector3d own_axis(const Surface& surface);
+
+/// Height of a point along an axis over the middle of a surface's canonical frame, in local
+/// coordinates.
+/// @param axis_C  the surface's own axis, or of a sphere any unit vector
+double height_in(const Surface& surface, const Eigen::Vector3d& p_C, const Eigen::Vector3d& axis_C);
 
 /// Radius at a height of the canonical frame of a matrix, in local coordinates; none where there is
 /// no section.
@@ -35,7 +40,9 @@ struct MeanDistance {
 };
 
 /// @param places  at least one
-MeanDistance mean_distance(const Surface& surface, const std::vector<Place>& places);
+/// @param axis_C  the axis along which their heights count, see height_in()
+MeanDistance mean_distance(const Surface& surface, const std::vector<Place>& places,
+                           const Eigen::Vector3d& axis_C);
 
 /// Covariance of the parameters of a surface's fit, shapes and then motions.
 Eigen::MatrixXd parameter_covariance(const Surface& surface);

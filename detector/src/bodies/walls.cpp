@@ -32,6 +32,10 @@ struct Side {
   AxialPart part;
   /// True if it has an axis, unlike a sphere.
   bool has_axis() const { return !part.axis_C.isZero(); }
+  /// The axis along which its heights count; a sphere takes that of the other side.
+  Eigen::Vector3d axis_beside(const Side& other) const {
+    return own_axis(has_axis() ? surface : other.surface);
+  }
 };
 
 /// Heights along an axis, of which C is the origin.
@@ -50,8 +54,7 @@ Range range_along(const Surface& surface, const SurfaceSamples& samples,
   return {low, nth_smallest(heights, heights.size() - 1 - trim)};
 }
 
-/// Heights at which a wall is measured, each in the canonical frames of the outer and the inner
-/// side.
+/// Heights at which a wall is measured, over the middles of the outer and of the inner side.
 std::vector<std::pair<double, double>> common_heights(const Side& outer, const Side& inner,
                                                       const SurfaceSamples& samples) {
   // Two spheres about one centre are equally far apart everywhere.
@@ -66,7 +69,8 @@ std::vector<std::pair<double, double>> common_heights(const Side& outer, const S
   for (int k = 0; k < kHeights; ++k) {
     const double at = low + (high - low) * k / (kHeights - 1);
     const Eigen::Vector3d p_C = main.part.middle_C + (at - z_C.dot(main.part.middle_C)) * z_C;
-    heights.emplace_back(height_in(outer.surface, p_C), height_in(inner.surface, p_C));
+    heights.emplace_back(height_in(outer.surface, p_C, outer.axis_beside(inner)),
+                         height_in(inner.surface, p_C, inner.axis_beside(outer)));
   }
   return heights;
 }
@@ -87,8 +91,8 @@ std::optional<BodyWall> thickness_between(const Side& outer, const Side& inner,
     next_to_b.push_back({middle / unit_b, z_b});
   }
   if (next_to_a.empty()) return std::nullopt;
-  const MeanDistance a = mean_distance(outer.surface, next_to_a);
-  const MeanDistance b = mean_distance(inner.surface, next_to_b);
+  const MeanDistance a = mean_distance(outer.surface, next_to_a, outer.axis_beside(inner));
+  const MeanDistance b = mean_distance(inner.surface, next_to_b, inner.axis_beside(outer));
   double variance = a.derivative.dot(parameter_covariance(outer.surface) * a.derivative) +
                     b.derivative.dot(parameter_covariance(inner.surface) * b.derivative);
   if (between) variance -= 2.0 * a.derivative.dot(*between * b.derivative);

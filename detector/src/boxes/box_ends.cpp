@@ -15,6 +15,9 @@ namespace {
 // Standard deviation of an end that is a face or rests on a plane, in addition to that of the
 // plane's points [m].
 constexpr double kPlaneStd = 0.0005;
+// Standard deviation of what a rounded edge adds to a face, as a share of it. The radii of a box's
+// edges differ about as much.
+constexpr double kUnsureShare = 0.33;
 
 /// An end that is a face: the median position of the face's points along the axis.
 BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
@@ -37,7 +40,7 @@ BoxEnd outline_end(const BoxDraft& draft, int axis, int upper, double radius) {
     if (!edge.seen || edge.meets) continue;
     const double beyond = reach_beyond(face, edge.turn, radius, out_C, *draft.sight);
     edge.at += beyond;
-    edge.std = std::hypot(edge.std, beyond / 3.0);
+    edge.std = std::hypot(edge.std, kUnsureShare * beyond);
   }
   // Nothing is seen behind a face that stands alone, so this end starts at the face itself.
   if (edges.empty()) return {-plane_end(draft, *draft.faces[0], axis, !upper).at, 0.0, false};

@@ -9,8 +9,8 @@
 namespace quadrille {
 namespace {
 
-// Edges are no rounder [m], nor is a body whose edges take more than this share of its shortest
-// seen side a box.
+// Edges have at most this radius [m], and at most this share of the shortest seen side; a larger
+// one is cut to it.
 constexpr double kMaxRadius = 0.015;
 constexpr double kMaxShare = 0.2;
 // Ratio of the depths of points in the middle third of a quarter circle, 30° to 60° along it:
@@ -85,7 +85,7 @@ double reach_beyond(const Face& face, const TurningEdge& turning, double radius,
     if (turn > kMinTurn) radius = std::min(kMaxRadius, turning.drop / (1.0 - std::cos(turn)));
     return turning.beyond + radius * (1.0 - std::sin(turn));
   }
-  // Of the edge, the face has what lies within its tolerance.
+  // The part of the edge that lies within the face's tolerance counts as the face's own.
   const double depth = std::min(face.tolerance(), radius);
   const double shown = std::min(std::sqrt(depth * (2.0 * radius - depth)), radius * std::sin(turn));
   return std::max(turning.beyond + radius * (1.0 - std::sin(turn)), radius - shown);

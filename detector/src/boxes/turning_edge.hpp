@@ -16,9 +16,9 @@ struct TurningEdge {
   double beyond = 0.0, drop = 0.0;
 };
 
-/// Follows the surface beyond the ends of a face's rows from point to neighbouring point, as long
-/// as it falls away from the face and leads outward; the result is the median of the rows that saw
-/// their end.
+/// Follows the surface beyond the ends of a face's rows from point to neighbouring point below the
+/// face, up to the first gap. The result is the farthest place that a row reached, in the median of
+/// the rows that saw their end.
 /// @param out_C   unit direction within the plane from the face towards the edge
 /// @param around  what was seen through the face's plane, on the face and around it
 TurningEdge turning_edge(const Face& face, const Eigen::Vector3d& out_C,

@@ -16,7 +16,7 @@ namespace {
 /// Offset at which the last value that is read ends within a record [bytes]; SIZE_MAX on overflow.
 std::size_t end_of_values(const PointLayout& layout, std::size_t scalar_size) {
   const auto end = [](std::size_t offset, std::size_t size) {
-    std::size_t sum;
+    std::size_t sum = 0;
     return __builtin_add_overflow(offset, size, &sum) ? std::numeric_limits<std::size_t>::max()
                                                       : sum;
   };
@@ -27,7 +27,7 @@ std::size_t end_of_values(const PointLayout& layout, std::size_t scalar_size) {
 /// Bytes that the layout needs; SIZE_MAX on overflow.
 std::size_t bytes_needed(const PointLayout& layout, std::size_t row_step, std::size_t record_end) {
   if (layout.width == 0 || layout.height == 0) return 0;
-  std::size_t rows, columns, end;
+  std::size_t rows = 0, columns = 0, end = 0;
   if (__builtin_mul_overflow(layout.height - 1, row_step, &rows) ||
       __builtin_mul_overflow(layout.width - 1, layout.point_step, &columns) ||
       __builtin_add_overflow(rows, columns, &end) ||

@@ -88,7 +88,7 @@ class RowSteps {
   /// @param min_return  least step back along u that leads to the next row
   explicit RowSteps(float min_return) : min_return_(min_return) {}
 
-  /// Adds the (u, v, w) of a seen point.
+  /// Adds the (u, v) of a seen point.
   void add(float u, float v) {
     if (u_ - u > min_return_ && v - v_ > kMinPitch) steps_.push_back(v - v_);
     u_ = u, v_ = v;

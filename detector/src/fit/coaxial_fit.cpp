@@ -34,9 +34,9 @@ std::size_t profile_size(Family family) {
   return spec.shapes.size() + (moves(spec, kTz) ? 1 : 0);
 }
 
-/// Which of these a part shares with another one to which it is parallel: the only shape of a cone
-/// is its slope, and the centre of a sphere comes after its shape. Parallel cylinders share nothing
-/// but the axis.
+/// Returns which unknown of its profile a part shares with another one to which it is parallel; the
+/// only shape of a cone is its slope, and the centre of a sphere comes after its shape. Parallel
+/// cylinders share nothing but the axis.
 std::optional<std::size_t> shared_by_parallels(Family family) {
   if (family == Family::kCone) return 0;
   if (family == Family::kSphere) return 1;

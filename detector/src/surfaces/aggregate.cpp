@@ -288,16 +288,16 @@ std::vector<Surface> Aggregation::joined(Surface surface) {
     const double min_confidence = std::max(surface.confidence, surfaces_[k].confidence);
     surfaces_.erase(surfaces_.begin() + static_cast<std::ptrdiff_t>(k));
     accepted_.places.erase(accepted_.places.begin() + static_cast<std::ptrdiff_t>(k));
-    const auto weighed = [&](Surface weighed) {
-      weigh(&weighed, accepted_);
-      weighed.confidence = std::max(min_confidence, weighed.confidence);
-      return weighed;
-    };
     if (std::optional<TwoWalls> walls = two_walls(*joint, samples_, options_)) {
-      result.push_back(weighed(std::move(walls->down)));
-      joint = std::move(walls->up);
+      weigh(&walls->down, accepted_);
+      weigh(&walls->up, accepted_);
+      result.push_back(std::move(walls->down));
+      surface = std::move(walls->up);
+      continue;
     }
-    surface = weighed(std::move(*joint));
+    weigh(&*joint, accepted_);
+    surface = std::move(*joint);
+    surface.confidence = std::max(min_confidence, surface.confidence);
   }
   result.push_back(std::move(surface));
   return result;

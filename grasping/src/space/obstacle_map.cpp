@@ -134,6 +134,8 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
 }
 
 void ObstacleMap::refresh(const Range& range) {
+  // The cube that was met last may be among those that changed.
+  last_ = {};
   if ((range.second.array() < 0).any()) return;
   each_cube(range.first / kEdge * kEdge, range.second.array() + 1, kEdge,
             [&](const Eigen::Vector3i& first) {

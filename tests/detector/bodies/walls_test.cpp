@@ -84,6 +84,27 @@ TEST_CASE("the two sides of a mug tell how thick its wall is", "[bodies]") {
   CHECK(types_of(result, *mug) == std::vector(2, QuadricType::kCylinder));
 }
 
+TEST_CASE("a wall between a round outside and a straight inside is as thick in any frame",
+          "[bodies]") {
+  const double outer = 0.06, inner = 0.048, height = 0.09;
+  std::vector<Patch> patches = {bowl(outer, 0.045, height), upright(inner, height)};
+  patches.push_back(test::rectangle(table_below(), 1.4, 1.2));
+  const PointCloud cloud = test::render(patches, {640, 480, 1.0 / 600.0, 0.0005, 1});
+  std::vector<double> thickness;
+  for (const Eigen::Vector3d& turn :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1.2, 0, 0), Eigen::Vector3d(0.3, -1.5, 0.4)}) {
+    Eigen::Isometry3d X_FC = Eigen::Isometry3d::Identity();
+    if (!turn.isZero()) X_FC.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()).matrix();
+    const DetectionResult result = detect(moved(cloud, X_FC));
+    const SceneBody* pot = revolved_body(result);
+    if (pot && pot->wall) thickness.push_back(pot->wall->thickness);
+  }
+  REQUIRE(thickness.size() >= 2);
+  const auto [low, high] = std::minmax_element(thickness.begin(), thickness.end());
+  CHECK(*high - *low < 0.0005);
+  CHECK(*high < outer - inner);
+}
+
 TEST_CASE("the two sides of a tapered cup are cones with a wall between them", "[bodies]") {
   const double low = 0.035, high = 0.05, height = 0.09;
   const DetectionResult result =

@@ -38,8 +38,9 @@ Json to_json(const Detection& detection);
 /// ("inner") and the greatest possible extent ("outer").
 Json to_json(const Box& box);
 
-/// Returns bodies, in their order; an infinite deviation becomes null.
+/// Returns {"thickness", "std"} [m].
 Json to_json(const BodyWall& wall);
+/// Returns bodies, in their order; an infinite deviation becomes null.
 Json to_json(const SceneBody& body);
 Json to_json(const std::vector<SceneBody>& bodies);
 

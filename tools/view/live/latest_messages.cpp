@@ -54,7 +54,10 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   Bytes copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   const std::lock_guard lock(mutex_);
   if (is_cloud) keep_cloud(std::move(copy));
-  if (channel == channels_.robot) latest_.robot.add(bytes);
+  if (channel == channels_.robot) {
+    // The processes tell of what is refused.
+    static_cast<void>(latest_.robot.add(bytes));
+  }
   if (is_pose) latest_.camera->add(bytes);
   if (channel == channels_.boxes) latest_.boxes_before = latest_.boxes;
   if (channel == channels_.bodies) latest_.bodies_before = latest_.bodies;

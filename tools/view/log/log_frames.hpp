@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "logs/cloud_log_reader.hpp"
+#include "logs/robot_refusals.hpp"
 #include "poses/robot_trail.hpp"
 
 namespace quadrille::view {
@@ -32,6 +33,8 @@ class LogFrames {
   /// Time at which each cloud was taken [us].
   const std::vector<std::int64_t>& utimes() const { return utimes_; }
   const std::string& path() const { return path_; }
+  /// Messages on the robot of the whole log that were refused.
+  const logs::RobotRefusals& robot_refusals() const { return robot_refusals_; }
   /// Describes where the log is truncated; nullopt if it is complete.
   const std::optional<std::string>& defect() const { return defect_; }
 
@@ -39,15 +42,17 @@ class LogFrames {
   std::optional<LogFrame> load(std::size_t number);
 
  private:
-  std::string path_, channel_;
+  std::string path_, channel_, robot_channel_;
+  logs::RobotRefusals robot_refusals_;
   double unit_;
   std::optional<std::string> defect_;
   std::vector<std::int64_t> utimes_;
-  /// Position of each cloud among all events of the log, and the robot's shapes for it.
+  /// Position of each cloud among all events of the log.
   std::vector<std::int64_t> events_;
-  std::vector<std::shared_ptr<const RobotState>> robots_;
   std::unique_ptr<bus::LogReader> reader_;
   std::int64_t next_event_ = 0;
+  /// What the robot said of itself before that event.
+  RobotTrail robot_;
 };
 
 }  // namespace quadrille::view

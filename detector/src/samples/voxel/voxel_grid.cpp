@@ -109,7 +109,7 @@ int VoxelGrid::number_voxels() {
 
 VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight,
                      float edge, std::vector<int>* of_point)
-    : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(1, -1) {
+    : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(2, -1) {
   // For each point its brick, and later its voxel.
   std::vector<int> place(points.size(), -1);
   std::vector<unsigned char> bit(points.size());

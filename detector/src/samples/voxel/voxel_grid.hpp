@@ -63,7 +63,8 @@ class VoxelGrid {
     return {key_of(x / 4, y / 4, z / 4), static_cast<int>(x % 4 + 4 * (y % 4) + 16 * (z % 4))};
   }
   std::size_t slot_of(std::uint64_t key) const {
-    return (key * 0x9e3779b97f4a7c15u >> 42) & (slots_.size() - 1);
+    // Fibonacci hashing: the topmost bits of the product depend on all of the key's.
+    return key * 0x9e3779b97f4a7c15u >> (64 - std::countr_zero(slots_.size()));
   }
   static std::uint64_t key_of(std::uint32_t bx, std::uint32_t by, std::uint32_t bz) {
     return bx | static_cast<std::uint64_t>(by) << 21 | static_cast<std::uint64_t>(bz) << 42;
