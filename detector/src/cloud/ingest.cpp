@@ -67,7 +67,7 @@ void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
       const Eigen::Matrix<Scalar, 3, 1> p_F(load<Scalar>(record + layout.x, swap),
                                             load<Scalar>(record + layout.y, swap),
                                             load<Scalar>(record + layout.z, swap));
-      const Eigen::Vector3f p = p_F.template cast<float>();
+      const Eigen::Vector3f& p = p_F.template cast<float>();
       if (p.allFinite() && !p.isZero(0.0f)) {
         cloud->points.push_back(
             moves ? (X_CF * p_F.template cast<double>()).template cast<float>().eval() : p);

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -104,17 +103,17 @@ class RowSteps {
 void add_ends_of_rows(const CloudView& cloud, const PinholeView& view, RowSteps* steps) {
   const auto width = static_cast<std::size_t>(cloud.width);
   for (std::size_t begin = 0; begin + width <= cloud.points.size(); begin += width) {
-    const auto add_first = [&](const auto& row) {
-      for (const Eigen::Vector3f& p : row) {
-        const Eigen::Vector3f t = view(p);
+    const auto add_first = [&](auto from, auto to) {
+      for (; from != to; ++from) {
+        const Eigen::Vector3f t = view(*from);
         if (t.z() == 0.0f) continue;
         steps->add(t.x(), t.y());
         return;
       }
     };
     const std::span<const Eigen::Vector3f> row = cloud.points.subspan(begin, width);
-    add_first(row);
-    add_first(std::views::reverse(row));
+    add_first(row.begin(), row.end());
+    add_first(row.rbegin(), row.rend());
   }
 }
 
