@@ -28,7 +28,7 @@ constexpr double kMinTurn = M_PI / 6.0;
 constexpr std::size_t kMinOnEdges = 16;
 constexpr double kMinShown = 0.3;
 
-/// What is seen of the edges of a box.
+/// Measurements of the edges of a box.
 struct Edges {
   /// The radius that each point beneath two faces gives [m].
   std::vector<double> radii;

@@ -60,7 +60,7 @@ RangeCheck count(std::span<const Eigen::Vector3f> points, const Eigen::Vector3f&
     int near = 0, finite = 0;
     count_run(points[i].data(), from.data(), &near, &finite);
     check.near += static_cast<std::size_t>(near);
-    // What is in range is finite.
+    // Points in range are finite, so the other finite ones are too far away.
     check.far += static_cast<std::size_t>(finite - near);
   }
   for (; i < points.size(); ++i) {

@@ -11,7 +11,7 @@
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/surface_fit.hpp"
-#include "surfaces/walls.hpp"
+#include "surfaces/two_walls.hpp"
 
 namespace quadrille {
 namespace {

@@ -13,7 +13,7 @@ namespace {
 
 using test::Patch;
 
-// What is thinner than some millimetres is known to be a wall only by better sensors.
+// A thinner wall is within the noise of this camera, so that its thickness is not told [m].
 constexpr double kThick = 0.008;
 
 /// A camera looks down into what stands in the middle of a table.

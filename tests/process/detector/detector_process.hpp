@@ -48,7 +48,7 @@ struct DetectorProcess {
     return found;
   }
 
-  /// What the status says of the clouds that were not tracked, such as "no_pose 1 ".
+  /// Returns how many clouds were not tracked and why, as the status tells, such as "no_pose 1 ".
   std::string untracked() {
     node.publish_status({});
     std::string text;

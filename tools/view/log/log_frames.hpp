@@ -51,7 +51,7 @@ class LogFrames {
   std::vector<std::int64_t> events_;
   std::unique_ptr<bus::LogReader> reader_;
   std::int64_t next_event_ = 0;
-  /// What the robot said of itself before that event.
+  /// The robot's own shapes, of the messages before that event.
   RobotTrail robot_;
 };
 

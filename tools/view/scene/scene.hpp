@@ -19,7 +19,7 @@ namespace quadrille::view {
 /// Number of refused candidates by the name of the reason.
 using Rejected = std::map<std::string, std::int64_t>;
 
-/// What is known of a body and told with each of its parts; see SceneBody.
+/// Properties of a body that the page shows with each of its parts; see SceneBody.
 struct Sighting {
   /// Number of views that show it.
   int views = 1;

@@ -1,4 +1,4 @@
-#include "surfaces/walls.hpp"
+#include "surfaces/two_walls.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
