@@ -82,6 +82,16 @@ TEST_CASE("only a detection that is tracked has a track in JSON", "[json][track]
   CHECK(io::to_json(d)["track"] == 12);
 }
 
+TEST_CASE("a body in JSON has the thickness of its wall, or null without one", "[json]") {
+  SceneBody mug;
+  mug.kind = BodyKind::kRevolution;
+  CHECK(io::to_json(mug).at("wall").is_null());
+  mug.wall = BodyWall{0.0045, 0.0015};
+  const io::Json json = io::Json::parse(io::to_json(mug).dump());
+  CHECK(json["wall"] == io::Json({{"thickness", 0.0045}, {"std", 0.0015}}));
+  CHECK(io::describe_wall(*mug.wall) == "wall 4.5 ± 1.5 mm");
+}
+
 TEST_CASE("a quaternion in JSON is w x y z and turns as the pose does", "[json]") {
   const Detection d = example_detection();
   const io::Json q = io::to_json(d.X_CQ)["quaternion"];

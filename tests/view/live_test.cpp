@@ -66,7 +66,7 @@ view::Bytes boxes_bytes(std::int64_t utime, int id) {
   return shared(bus::encode(bus::to_message(cloud_at(utime), std::vector<Box>{box})));
 }
 
-/// The bodies of a cloud: a lump and a single surface.
+/// The bodies of a cloud: a lump, and a mug of which the surface 3 is a part.
 view::Bytes bodies_bytes(std::int64_t utime, int id) {
   std::vector<SceneBody> bodies(2);
   bodies[0].id = id;
@@ -74,6 +74,9 @@ view::Bytes bodies_bytes(std::int64_t utime, int id) {
   bodies[0].size = {0.05, 0.04, 0.03};
   bodies[0].points = 120;
   bodies[1].id = id + 1;
+  bodies[1].kind = BodyKind::kRevolution;
+  bodies[1].parts = {3};
+  bodies[1].wall = BodyWall{0.0045, 0.0015};
   return shared(bus::encode(bus::to_message(cloud_at(utime), bodies)));
 }
 
@@ -321,6 +324,7 @@ TEST_CASE("a packed scene holds what it was made of", "[view][pack]") {
   CHECK(json["objects"][1]["lines"][0] == "seen 50 x 40 x 30 mm");
   CHECK(json["objects"][1]["size"][2] == 0.03);
   CHECK(json["objects"][0]["lines"][0] == "radius 100.0 ± 1.0 mm");
+  CHECK(json["objects"][0]["lines"].back() == "wall 4.5 ± 1.5 mm");
   CHECK(json["grasps"][0]["target"] == 3);
   CHECK(json["rejected"][0]["reason"] == "width");
   CHECK(json["remedies"][0]["target"] == 3);
