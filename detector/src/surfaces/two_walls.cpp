@@ -1,11 +1,12 @@
 #include "surfaces/two_walls.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include "fit/family_spec.hpp"
 #include "fit/geometric_fit.hpp"
 #include "samples/inliers.hpp"
 #include "samples/region.hpp"
@@ -14,21 +15,96 @@
 namespace quadrille {
 namespace {
 
-// Least and largest thickness of the walls of cups and bowls [m]: thin metal or plastic counts as
-// one surface, and thick earthenware has 6 to 7 mm.
-constexpr double kMinThickness = 0.001, kMaxThickness = 0.008;
+// Cups and bowls have walls of about 4 mm, two thirds of them between 2 and 6 mm [m].
+constexpr double kUsualThickness = 0.004, kThicknessSpread = 0.002;
+// Number of vessels with such walls for each that counts as one surface, of thin metal or plastic.
+constexpr double kVesselOdds = 3.0;
+// Thick earthenware has 6 to 7 mm. What is farther apart is not one wall [m].
+constexpr double kMaxThickness = 0.008;
 // Number of steps of the fit, which starts near its end.
 constexpr int kThicknessSteps = 4;
+// Number of points of each side that suffice: the samples of a region are worth about 40
+// independent ones; see Surface::effective_size.
+constexpr std::size_t kSidePoints = 200;
+// Step of the numeric derivatives, in local coordinates, in which a surface has about size 1.
+constexpr double kDifference = 1e-4;
 
-/// True if a wall is known to have a thickness that walls of vessels have.
-bool is_thick(const MeasuredThickness& thickness) {
-  return thickness.value > std::max(kMinThickness, thickness.std) &&
-         thickness.value < kMaxThickness;
+/// Logarithm of the density of a normal distribution, but for a constant.
+double log_normal(double value, double mean, double variance) {
+  const double d = value - mean;
+  return -0.5 * (d * d / variance + std::log(variance));
 }
 
-OrientedPointsf points_of_wall(const Surface& surface, const SurfaceSamples& samples,
-                               std::span<const int> some) {
+/// True if a wall is more likely that of a vessel than a thin shell, by Bayes' theorem. Noise and
+/// the smoothing of a sensor may hide a thickness, or make it negative.
+bool is_thick(const MeasuredThickness& thickness) {
+  const double variance = thickness.std * thickness.std;
+  const double of_vessel =
+      log_normal(thickness.value, kUsualThickness, variance + kThicknessSpread * kThicknessSpread);
+  const double of_shell = log_normal(thickness.value, 0.0, variance);
+  return of_vessel + std::log(kVesselOdds) > of_shell &&
+         thickness.value - thickness.std < kMaxThickness;
+}
+
+/// Some points of one side, in the surface's local coordinates.
+OrientedPointsf points_of_side(const Surface& surface, const SurfaceSamples& samples,
+                               const std::vector<int>& side) {
+  const std::vector<int> some = spread_evenly(side, kSidePoints);
   return fit_points(samples, some, surface.local, static_cast<int>(some.size()));
+}
+
+/// The distance from x to the quadric xᵀQx = 0 along the gradient at x. It is exact for spheres and
+/// circular cylinders, where the first-order distance is off by d²/2R.
+double distance_along_gradient(const Eigen::Matrix4d& Q, const Eigen::Vector3d& x) {
+  const Eigen::Vector4d h = Q * x.homogeneous();
+  const double f = x.homogeneous().dot(h), slope = h.head<3>().norm();
+  const Eigen::Vector3d n = h.head<3>() / slope;
+  const double root = slope * slope - f * n.dot(Q.topLeftCorner<3, 3>() * n);
+  return f / (slope + std::sqrt(std::max(0.0, root)));
+}
+
+/// The residuals of all points, of `up` first, for a thickness t.
+Eigen::VectorXd residuals(const OrientedPointsf& up, const OrientedPointsf& down,
+                          const PosedQuadric& posed, double t) {
+  const Eigen::Matrix4d Q = posed.matrix();
+  Eigen::VectorXd r(up.size() + down.size());
+  Eigen::Index k = 0;
+  for (const auto& x : up.points.colwise()) r[k++] = distance_along_gradient(Q, x.cast<double>());
+  for (const auto& x : down.points.colwise()) {
+    r[k++] = distance_along_gradient(Q, x.cast<double>()) + t;
+  }
+  return r;
+}
+
+/// The residuals r, and J = dr/d(θ, t).
+struct ThicknessEquations {
+  Eigen::VectorXd r;
+  Eigen::MatrixXd J;
+};
+
+ThicknessEquations thickness_equations(const OrientedPointsf& up, const OrientedPointsf& down,
+                                       Family family, const PosedQuadric& posed, double t) {
+  const FamilySpec& spec = family_spec(family);
+  const auto count = static_cast<Eigen::Index>(spec.shapes.size() + spec.motions.size());
+  ThicknessEquations result{residuals(up, down, posed, t),
+                            Eigen::MatrixXd::Zero(up.size() + down.size(), count + 1)};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::VectorXd step = kDifference * Eigen::VectorXd::Unit(count, k);
+    result.J.col(k) = (residuals(up, down, moved(family, posed, step), t) -
+                       residuals(up, down, moved(family, posed, -step), t)) /
+                      (2.0 * kDifference);
+  }
+  result.J.col(count).tail(down.size()).setOnes();
+  return result;
+}
+
+/// The last diagonal element of (JᵀJ)⁻¹: one over the squared length of the last column's part that
+/// is square to the others.
+double last_cofactor(const Eigen::MatrixXd& J) {
+  const auto others = J.leftCols(J.cols() - 1);
+  const Eigen::VectorXd last = J.col(J.cols() - 1);
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition(others);
+  return 1.0 / (last - others * decomposition.solve(last)).squaredNorm();
 }
 
 }  // namespace
@@ -48,33 +124,28 @@ std::optional<MeasuredThickness> wall_thickness(const Surface& surface,
                                                 const SurfaceSamples& samples,
                                                 const WallSides& sides) {
   if (sides.up.empty() || sides.down.empty()) return std::nullopt;
-  const OrientedPointsf whole = points_of_wall(surface, samples, surface.region);
-  const OrientedPointsf down = points_of_wall(surface, samples, sides.down);
-  const auto size = static_cast<double>(whole.size()), n = static_cast<double>(down.size());
-  DistanceSums<float> sums(whole);
-  FamilyFit fit = surface.fit;
-  double t = 0.0, m = 0.0, left = 0.0;
+  const OrientedPointsf up = points_of_side(surface, samples, sides.up);
+  const OrientedPointsf down = points_of_side(surface, samples, sides.down);
+  PosedQuadric posed = surface.fit.posed;
+  double t = 0.0;
   for (int step = 0; step < kThicknessSteps; ++step) {
-    const StepEquations all = step_equations(&sums, fit.family, fit.posed);
-    const Eigen::VectorXd c = information(down, fit).Jt1;
-    const Eigen::Matrix4f Q = fit.posed.matrix().cast<float>();
-    double sum = 0.0;
-    for (const auto& x : down.points.colwise()) sum += distance_to(Q, x);
-    const Eigen::LDLT<Eigen::MatrixXd> A(all.A);
-    const Eigen::VectorXd b = all.b + t * c;
-    m = n - c.dot(A.solve(c));
-    if (!(m > 0.0)) return std::nullopt;
-    left = all.rss + 2.0 * t * sum + n * t * t;
-    const double change = -(sum + n * t - c.dot(A.solve(b))) / m;
-    const Eigen::VectorXd move = -A.solve(b + change * c);
-    if (!move.allFinite() || !std::isfinite(change)) return std::nullopt;
-    fit.posed = moved(fit.family, fit.posed, move);
-    t += change;
+    const ThicknessEquations now = thickness_equations(up, down, surface.fit.family, posed, t);
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> J(now.J);
+    const Eigen::VectorXd change = -J.solve(now.r);
+    if (!change.allFinite()) return std::nullopt;
+    posed = moved(surface.fit.family, posed, change.head(change.size() - 1));
+    t += change[change.size() - 1];
   }
+  const ThicknessEquations last = thickness_equations(up, down, surface.fit.family, posed, t);
+  const auto size = static_cast<double>(last.r.size());
   // Residuals below the noise are chance.
   const double noise = mean_sigma(samples, surface.region) / surface.local.scale;
-  const double variance = std::max(noise * noise, left / size) * size / surface.effective_size;
-  return MeasuredThickness{surface.local.scale * t, surface.local.scale * std::sqrt(variance / m)};
+  const double variance =
+      std::max(noise * noise, last.r.squaredNorm() / size) * size / surface.effective_size;
+  const double cofactor = last_cofactor(last.J);
+  if (!std::isfinite(cofactor)) return std::nullopt;
+  return MeasuredThickness{surface.local.scale * t,
+                           surface.local.scale * std::sqrt(variance * cofactor)};
 }
 
 std::optional<TwoWalls> two_walls(const Surface& surface, const SurfaceSamples& samples,

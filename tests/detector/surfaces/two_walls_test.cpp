@@ -17,7 +17,7 @@ constexpr int kCupColumns = 25, kCupRows = 20;
 
 /// The two walls of an upright cup that a camera on the x axis, somewhat above it, sees: the outer
 /// one in front and the inner one behind.
-SurfaceSamples cup(double thickness, std::uint64_t seed) {
+SurfaceSamples cup(double thickness, std::uint64_t seed, double noise = kCupNoise) {
   return surface_grid(
       kCupColumns, 2 * kCupRows,
       [&](int i, int j) {
@@ -26,7 +26,7 @@ SurfaceSamples cup(double thickness, std::uint64_t seed) {
         const double r = j < kCupRows ? kCupRadius : -(kCupRadius - thickness);
         return OrientedPoint{r * n + (j % kCupRows) * kCupCell * Eigen::Vector3d::UnitZ(), n};
       },
-      kCupCell, kCupNoise, seed);
+      kCupCell, noise, seed);
 }
 
 Surface cup_fit(const SurfaceSamples& samples) {
@@ -66,6 +66,33 @@ TEST_CASE("the walls of a cup are two surfaces, a shell without thickness is one
   CHECK(std::abs(cup_radius(walls->up) - kCupRadius) < 0.001);
   CHECK(std::abs(cup_radius(walls->down) - (kCupRadius - 0.004)) < 0.001);
   CHECK_FALSE(two_walls(cup_fit(thin), thin, {}));
+}
+
+TEST_CASE("noise does not change the measured thickness of a wall", "[walls]") {
+  const double thickness = 0.003, noise = GENERATE(0.0005, 0.001, 0.002);
+  constexpr int kCups = 8;
+  double mean = 0.0;
+  for (int seed = 1; seed <= kCups; ++seed) {
+    const SurfaceSamples samples = cup(thickness, static_cast<std::uint64_t>(seed), noise);
+    const Surface joint = cup_fit(samples);
+    const auto found = wall_thickness(joint, samples, sides_of(joint.Q, samples, joint.region));
+    REQUIRE(found);
+    mean += found->value / kCups;
+  }
+  // The mean of eight cups is off by a third as much as that of one.
+  CAPTURE(noise, mean);
+  CHECK(std::abs(mean - thickness) < 0.3 * noise);
+}
+
+TEST_CASE("a wall whose thickness the noise hides is taken for that of a cup", "[walls]") {
+  // With so much noise a shell without thickness may measure as much.
+  const SurfaceSamples samples = cup(0.003, GENERATE(1, 2, 3), 0.002);
+  const Surface joint = cup_fit(samples);
+  const auto found = wall_thickness(joint, samples, sides_of(joint.Q, samples, joint.region));
+  REQUIRE(found);
+  CAPTURE(found->value, found->std);
+  CHECK(found->std > 0.002);
+  CHECK(two_walls(joint, samples, {}));
 }
 
 TEST_CASE("a wall seen from one side has no known thickness", "[walls]") {
