@@ -19,6 +19,8 @@ class Deadline {
     at_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
   }
 
+  /// Returns false if it never passes.
+  bool is_set() const { return at_.has_value(); }
   bool passed() const { return at_ && Clock::now() >= *at_; }
 
  private:

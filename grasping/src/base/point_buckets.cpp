@@ -51,12 +51,15 @@ std::vector<PointBuckets::Near> PointBuckets::near_each() const {
     // Cubes are sorted by key. The row of three cubes beside each has keys that ascend, too, so one
     // pass over all cubes finds these rows.
     const Key beside = row / 3 * kAlongX + row % 3 * kAlongY - kAlongX - kAlongY;
+    // Unlike vectors, these do not check each access.
+    const Key* keys = keys_.data();
+    const std::size_t* starts = first_.data();
     std::size_t first = 0, end = 0;
     for (std::size_t n = 0; n < keys_.size(); ++n) {
-      const Key middle = keys_[n] + beside;
-      while (first < keys_.size() && keys_[first] < middle - 1) ++first;
-      while (end < keys_.size() && keys_[end] <= middle + 1) ++end;
-      all[n][row] = between(first, end);
+      const Key middle = keys[n] + beside;
+      while (first < keys_.size() && keys[first] < middle - 1) ++first;
+      while (end < keys_.size() && keys[end] <= middle + 1) ++end;
+      all.data()[n][row] = {points_.data() + starts[first], points_.data() + starts[end]};
     }
   }
   return all;

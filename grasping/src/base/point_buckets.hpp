@@ -16,6 +16,7 @@ class PointBuckets {
   /// y, then along z.
   using Key = std::uint64_t;
 
+  PointBuckets() = default;
   /// @param points_C  positions in frame C [m]
   /// @param edge  edge of a cube [m]
   PointBuckets(std::span<const Eigen::Vector3d> points_C, double edge);

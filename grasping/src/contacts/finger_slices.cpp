@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double kUnit = 1e-8, kFarthest = 100.0;
 constexpr int kIndexBits = 26;
 constexpr std::int64_t kIndices = std::int64_t{1} << kIndexBits;
+constexpr auto kMostUnits = static_cast<std::int64_t>(kFarthest / kUnit) + 1;
 // Reserve for the rounding of floats, where points beyond a distance are left out [m].
 constexpr double kRoundingSlack = 1e-4;
 
@@ -71,7 +73,8 @@ SortedPoints FingerSlices::sorted() const {
   if (sorted_ == nullptr) return {};
   const auto is_last = [&](const Sorted& one) { return &one == sorted_; };
   const auto number = std::find_if(directions_.begin(), directions_.end(), is_last);
-  return {sorted_->exact_y.data(), sorted_->y.data(), z_.data(), sorted_->index,
+  const std::span index(sorted_->index.data(), static_cast<std::size_t>(sorted_->index.size()));
+  return {sorted_->exact_y.data(), sorted_->y.data(), z_.data(), index,
           static_cast<std::size_t>(number - directions_.begin())};
 }
 
@@ -93,61 +96,84 @@ void FingerSlices::sort(Sorted& sorted) {
   const Eigen::Vector3d& closing = sorted.closing;
   own_y_ = along(closing, own_);
   const double low = own_y_.minCoeff(), high = own_y_.maxCoeff();
-  places_ = along(closing, points_);
   const double middle = closing.dot(middle_);
   const double beside =
       std::sqrt(std::max(0.0, (own_squares_ - (own_y_ - middle).square()).maxCoeff()));
   const double farthest =
       beside + std::hypot(2.0 * step_, std::max(heights_.above, heights_.below)) + kRoundingSlack;
-  keys_.resize(static_cast<std::size_t>(places_.size()));
-  // Unlike vectors, these do not check each access.
-  std::int64_t* keys = keys_.data();
-  const double *places = places_.data(), *squares = squares_.data();
-  for (Eigen::Index i = 0; i < places_.size(); ++i) {
-    const double y = places[i], off = y - middle;
-    const bool near = y > low - reach_ && y < high + reach_ && std::abs(y) < kFarthest &&
-                      squares[i] - off * off < farthest * farthest;
-    if (!near) continue;
-    *keys++ = std::llrint(y / kUnit) * kIndices + i;
-  }
-  keys_.resize(static_cast<std::size_t>(keys - keys_.data()));
+  find_keys(closing, low - reach_, high + reach_, farthest * farthest);
   sort_keys();
-  const std::size_t count = keys_.size();
-  sorted.points.resize(static_cast<Eigen::Index>(count), 3);
-  sorted.exact_y.resize(count), sorted.y.resize(count), sorted.index.resize(count);
+  sorted.points.resize(key_count_, 3);
+  sorted.exact_y.resize(key_count_), sorted.y.resize(key_count_), sorted.index.resize(key_count_);
+  sorted.own_places.resize(own_.rows());
   const double *from_x = points_.col(0).data(), *from_y = points_.col(1).data(),
-               *from_z = points_.col(2).data();
+               *from_z = points_.col(2).data(), *places = places_.data();
   double *x = sorted.points.col(0).data(), *y = sorted.points.col(1).data(),
-         *z = sorted.points.col(2).data();
-  for (std::size_t k = 0; k < count; ++k) {
+         *z = sorted.points.col(2).data(), *exact_y = sorted.exact_y.data();
+  const char* is_own = is_own_.data();
+  std::uint32_t* own_places = sorted.own_places.data();
+  for (Eigen::Index k = 0; k < key_count_; ++k) {
     const std::int64_t i = keys_.data()[k] & (kIndices - 1);
     x[k] = from_x[i], y[k] = from_y[i], z[k] = from_z[i];
-    sorted.exact_y.data()[k] = places[i];
+    exact_y[k] = places[i];
     sorted.y.data()[k] = static_cast<float>(places[i]);
     sorted.index.data()[k] = static_cast<std::uint32_t>(i);
-    if (is_own_.data()[i] != 0) sorted.own_places.push_back(static_cast<std::uint32_t>(k));
+    if (is_own[i] != 0) *own_places++ = static_cast<std::uint32_t>(k);
   }
+  sorted.own_places.conservativeResize(own_places - sorted.own_places.data());
+}
+
+/// Finds how far the points lie along a closing direction, and the keys of those between two limits
+/// that lie no farther beside the middle than allowed.
+/// @param farthest  the square of that distance [m²]
+QUADRILLE_VECTOR_CLONES
+void FingerSlices::find_keys(const Eigen::Vector3d& closing, double low, double high,
+                             double farthest) {
+  // A double of this size has no digits behind the point, so that adding it rounds to the nearest
+  // whole number as llrint() does, which the compiler does not do for several numbers at once.
+  constexpr double kWhole = 0x1.8p52;
+  constexpr std::int64_t kNone = -1;
+  const Eigen::Index count = points_.rows();
+  places_.resize(count), keys_.resize(count);
+  const double *px = points_.col(0).data(), *py = points_.col(1).data(),
+               *pz = points_.col(2).data(), *squares = squares_.data();
+  const double dx = closing.x(), dy = closing.y(), dz = closing.z();
+  const double middle = closing.dot(middle_);
+  double* __restrict places = places_.data();
+  std::int64_t* __restrict keys = keys_.data();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double y = px[i] * dx + py[i] * dy + pz[i] * dz, off = y - middle;
+    const bool near =
+        (y > low) & (y < high) & (std::abs(y) < kFarthest) & (squares[i] - off * off < farthest);
+    const auto units =
+        std::bit_cast<std::int64_t>(y / kUnit + kWhole) - std::bit_cast<std::int64_t>(kWhole);
+    places[i] = y;
+    // All keys become positive, so that none equals kNone.
+    keys[i] = near ? (units + kMostUnits) * kIndices + i : kNone;
+  }
+  key_count_ = std::remove(keys, keys + count, kNone) - keys;
 }
 
 /// Sorts the keys by their lengths, digit by digit, the last digit first. Keys of one length are in
 /// the order of their indices from the start, and stay in it.
 void FingerSlices::sort_keys() {
-  if (keys_.empty()) return;
+  if (key_count_ == 0) return;
   // The counts of so many digits take 2 KB, which stay in the L1 cache.
   constexpr int kDigitBits = 9;
   constexpr std::int64_t kDigits = 1 << kDigitBits;
-  const auto [least, most] = std::minmax_element(keys_.begin(), keys_.end());
-  const std::int64_t low = *least / kIndices * kIndices - kIndices, range = *most - low;
+  const auto [least, most] = std::minmax_element(keys_.data(), keys_.data() + key_count_);
+  const std::int64_t low = *least / kIndices * kIndices, range = *most - low;
   sorted_keys_.resize(keys_.size());
   for (int shift = kIndexBits; range >> shift != 0; shift += kDigitBits) {
     const auto digit = [&](std::int64_t key) { return (key - low) >> shift & (kDigits - 1); };
     std::array<std::uint32_t, kDigits> numbers{};
     // Unlike vectors, these do not check each access.
     std::uint32_t* starts = numbers.data();
+    const std::int64_t *from = keys_.data(), *end = from + key_count_;
     std::int64_t* to = sorted_keys_.data();
-    for (const std::int64_t key : keys_) ++starts[digit(key)];
+    for (const std::int64_t* key = from; key != end; ++key) ++starts[digit(*key)];
     std::exclusive_scan(numbers.begin(), numbers.end(), numbers.begin(), 0u);
-    for (const std::int64_t key : keys_) to[starts[digit(key)]++] = key;
+    for (const std::int64_t* key = from; key != end; ++key) to[starts[digit(*key)]++] = *key;
     keys_.swap(sorted_keys_);
   }
 }
@@ -158,7 +184,7 @@ void FingerSlices::sort_keys() {
 QUADRILLE_VECTOR_CLONES
 void FingerSlices::find_strips(const Eigen::Matrix3d& R, double first, int steps) {
   const Points& points = sorted_->points;
-  const auto count = static_cast<std::size_t>(points.rows());
+  const Eigen::Index count = points.rows();
   strips_.resize(count), z_.resize(count);
   const double *x = points.col(0).data(), *y = points.col(1).data(), *z = points.col(2).data();
   const double ax = R(0, 0), ay = R(1, 0), az = R(2, 0), bx = R(0, 2), by = R(1, 2), bz = R(2, 2);
@@ -166,7 +192,7 @@ void FingerSlices::find_strips(const Eigen::Matrix3d& R, double first, int steps
   const int beyond = steps + 2;
   int* __restrict strips = strips_.data();
   float* __restrict heights = z_.data();
-  for (std::size_t i = 0; i < count; ++i) {
+  for (Eigen::Index i = 0; i < count; ++i) {
     double place = (x[i] * ax + y[i] * ay + z[i] * az - first) / step;
     // No point has a NaN; it would become -2.
     place = place > -2.0 ? place : -2.0;
@@ -210,9 +236,9 @@ void FingerSlices::find_windows() {
 void FingerSlices::fill() {
   // A slice holds no more points than its two strips do. The two outermost slices, before the first
   // and beyond the last one, are there so that each strip belongs to two; they stay empty.
-  const std::size_t size = ranges_.size() + 2, all = strips_.size();
+  const std::size_t size = ranges_.size() + 2, all = static_cast<std::size_t>(strips_.size());
   counts_.assign(size + 1, 0);
-  kept_.resize(all);
+  kept_.resize(strips_.size());
   // Unlike vectors, these do not check each access.
   std::size_t* counts = counts_.data();
   std::uint32_t* kept = kept_.data();

@@ -62,6 +62,10 @@ class FingerSlices {
 
  private:
   using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  /// Values that are all written before they are read. Unlike vectors, these arrays are not filled
+  /// with zeros first, and do not check each access.
+  template <class Value>
+  using Values = Eigen::Array<Value, Eigen::Dynamic, 1>;
 
   /// The highest of some own points, and the range that they take along the closing direction.
   struct OwnRange {
@@ -90,13 +94,14 @@ class FingerSlices {
   struct Sorted {
     Eigen::Vector3d closing = Eigen::Vector3d::Zero();
     Points points;
-    std::vector<double> exact_y;
-    std::vector<float> y;
-    std::vector<std::uint32_t> index, own_places;
+    Values<double> exact_y;
+    Values<float> y;
+    Values<std::uint32_t> index, own_places;
   };
 
   const Sorted& sorted_along(const Eigen::Vector3d& closing);
   void sort(Sorted& sorted);
+  void find_keys(const Eigen::Vector3d& closing, double low, double high, double farthest);
   void sort_keys();
   void find_strips(const Eigen::Matrix3d& R, double first, int steps);
   void find_own_ranges(int steps);
@@ -116,11 +121,12 @@ class FingerSlices {
   std::deque<Sorted> directions_;
   const Sorted* sorted_ = nullptr;
   // Kept to reuse their memory:
-  std::vector<std::int64_t> keys_, sorted_keys_;
-  std::vector<std::uint32_t> kept_;
+  Values<std::int64_t> keys_, sorted_keys_;
+  Eigen::Index key_count_ = 0;
+  Values<std::uint32_t> kept_;
   Eigen::ArrayXd places_, own_y_;
-  std::vector<int> strips_;
-  std::vector<float> z_;
+  Values<int> strips_;
+  Values<float> z_;
   std::vector<OwnRange> own_strips_, ranges_;
   std::vector<Window> windows_;
   std::vector<std::size_t> counts_;

@@ -52,15 +52,20 @@ void SliceHolds::set_orientation(const Eigen::Matrix3d& R_CG, const SortedPoints
   if (facings_.size() <= sorted.direction) facings_.resize(sorted.direction + 1);
   Facing& facing = facings_[sorted.direction];
   facing_ = &facing;
-  if (!facing.cosines.empty()) return;
-  facing.cosines.resize(sorted.index.size()), facing.is_own.resize(sorted.index.size());
+  if (facing.cosines.size() > 0) return;
+  const auto count = static_cast<Eigen::Index>(sorted.index.size());
+  facing.cosines.resize(count), facing.is_own.resize(count);
   const double x = R_CG(0, 1), y = R_CG(1, 1), z = R_CG(2, 1);
-  for (std::size_t k = 0; k < facing.cosines.size(); ++k) {
-    // Unlike vectors, these do not check each access.
-    const std::uint32_t i = sorted.index.data()[k];
-    const Eigen::Vector3d& n_C = points_.n_C.data()[i];
-    facing.cosines.data()[k] = x * n_C.x() + y * n_C.y() + z * n_C.z();
-    facing.is_own.data()[k] = own_.data()[i];
+  // Unlike vectors, these do not check each access.
+  const std::uint32_t* index = sorted.index.data();
+  const Eigen::Vector3d* normals_C = points_.n_C.data();
+  const char* own = own_.data();
+  double* cosines = facing.cosines.data();
+  char* is_own = facing.is_own.data();
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Vector3d& n_C = normals_C[index[k]];
+    cosines[k] = x * n_C.x() + y * n_C.y() + z * n_C.z();
+    is_own[k] = own[index[k]];
   }
 }
 
@@ -127,10 +132,13 @@ std::size_t SliceHolds::start_of_tail(const Run& run) const {
 std::span<const BetweenPads> SliceHolds::in_hand(std::size_t first, std::size_t last) {
   const Eigen::Matrix3d R_GC = R_CG_.transpose();
   between_.clear();
+  between_.reserve(last + 1 - first);
+  // Unlike vectors, these do not check each access.
+  const Eigen::Vector3d *offsets_C = offsets_C_.data(), *normals_C = points_.n_C.data();
   for (std::size_t k = first; k <= last; ++k) {
     if (!reached_by_fingers(k)) continue;
     const std::size_t i = index(k);
-    between_.push_back({R_GC * offsets_C_[i], R_GC * points_.n_C[i], own_[i] != 0});
+    between_.push_back({R_GC * offsets_C[i], R_GC * normals_C[i], own_.data()[i] != 0});
   }
   return between_;
 }

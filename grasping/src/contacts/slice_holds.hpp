@@ -63,8 +63,8 @@ class SliceHolds {
   /// For each sorted point, the part of its normal along the closing direction, and whether it is
   /// own.
   struct Facing {
-    std::vector<double> cosines;
-    std::vector<char> is_own;
+    Eigen::ArrayXd cosines;
+    Eigen::Array<char, Eigen::Dynamic, 1> is_own;
   };
   /// A quick first look at the points on one side of a run.
   struct Glance {

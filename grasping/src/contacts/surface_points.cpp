@@ -38,7 +38,7 @@ class Eyes {
     });
   }
 
-  const Eigen::Vector3d& operator[](int number) const { return positions_C_[number]; }
+  const std::vector<Eigen::Vector3d>& positions_C() const { return positions_C_; }
   int number_of(const Eigen::Vector3d& eye_C) const {
     const auto found = std::find(positions_C_.begin(), positions_C_.end(), eye_C);
     return found == positions_C_.end() ? -1 : static_cast<int>(found - positions_C_.begin());
@@ -142,37 +142,81 @@ void sum_near(const Eigen::Vector3d* points, const int* eye_of, const PointBucke
 
 }  // namespace
 
-SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double cell,
-                             std::span<const Eigen::Vector3d> eyes_C) {
-  SurfacePoints surface;
+PointSurface::PointSurface(std::span<const Eigen::Vector3d> points_C, double cell,
+                           std::span<const Eigen::Vector3d> eyes_C)
+    : reach_(kReachInCells * cell) {
   const Eyes eyes(eyes_C);
   Thinned means = thinned(points_C, eyes_C, eyes, cell);
-  surface.p_C = std::move(means.points);
-  surface.n_C.assign(surface.p_C.size(), Eigen::Vector3d::Zero());
-  const double reach = kReachInCells * cell;
-  const PointBuckets buckets(surface.p_C, reach);
-  const std::vector<PointBuckets::Near> near = buckets.near_each();
-  // Unlike vectors, these do not check each access.
-  const Eigen::Vector3d* points = surface.p_C.data();
-  const int* eye_of = means.eyes.data();
-  for (std::size_t n = 0; n < near.size(); ++n) {
-    // The points of a cube have the same points near them.
-    for (std::span<const int> rest = buckets.members(n); !rest.empty();) {
+  points_C_ = std::move(means.points);
+  eye_of_ = std::move(means.eyes);
+  eyes_C_ = eyes.positions_C();
+  buckets_ = PointBuckets(points_C_, reach_);
+  near_ = buckets_.near_each();
+  make_groups();
+}
+
+/// Divides the points into groups. The points of a cube have the same points near them.
+void PointSurface::make_groups() {
+  group_of_.resize(points_C_.size());
+  for (std::size_t n = 0; n < near_.size(); ++n) {
+    for (std::span<const int> rest = buckets_.members(n); !rest.empty();) {
       const std::span<const int> some =
           rest.first(std::min<std::size_t>(kDoubleLanes, rest.size()));
       rest = rest.subspan(some.size());
-      Moments moments = gathered(points, eye_of, some);
-      sum_near(points, eye_of, near[n], reach, &moments);
-      for (int k = 0; k < static_cast<int>(some.size()); ++k) {
-        if (moments.counts[k] < kMinNeighbours) continue;
-        const int i = some[k];
-        const Eigen::Vector3d n_C = moments.normal(k);
-        const bool away = n_C.dot(eyes[eye_of[i]] - points[i]) < 0.0;
-        surface.n_C[i] = away ? Eigen::Vector3d(-n_C) : n_C;
-      }
+      for (const int i : some) group_of_[i] = groups_.size();
+      groups_.push_back({n, some});
     }
   }
-  return surface;
+  normals_C_.resize(points_C_.size());
+  states_ = std::vector<std::atomic<State>>(groups_.size());
+}
+
+/// Returns the normal of a point. If several threads ask for those of one group at once, each
+/// computes them, and the first one keeps them.
+Eigen::Vector3d PointSurface::normal(std::size_t point) const {
+  const std::size_t number = group_of_.data()[point];
+  std::atomic<State>& state = states_.data()[number];
+  if (state.load(std::memory_order_acquire) == State::kReady) return normals_C_.data()[point];
+  const Group& group = groups_[number];
+  Moments moments = gathered(points_C_.data(), eye_of_.data(), group.points);
+  sum_near(points_C_.data(), eye_of_.data(), near_[group.cube], reach_, &moments);
+  State none = State::kNone;
+  const bool keeps = state.compare_exchange_strong(none, State::kBusy);
+  Eigen::Vector3d asked = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < group.points.size(); ++k) {
+    const auto i = static_cast<std::size_t>(group.points[k]);
+    Eigen::Vector3d n_C = Eigen::Vector3d::Zero();
+    if (moments.counts[k] >= kMinNeighbours) {
+      n_C = moments.normal(static_cast<int>(k));
+      if (n_C.dot(eyes_C_[eye_of_[i]] - points_C_[i]) < 0.0) n_C = -n_C;
+    }
+    if (keeps) normals_C_[i] = n_C;
+    if (i == point) asked = n_C;
+  }
+  if (keeps) state.store(State::kReady, std::memory_order_release);
+  return asked;
+}
+
+SurfacePoints PointSurface::within(const Eigen::AlignedBox3d& box_C) const {
+  SurfacePoints found;
+  for (std::size_t i = 0; i < points_C_.size(); ++i) {
+    const Eigen::Vector3d& p_C = points_C_.data()[i];
+    if (!box_C.contains(p_C)) continue;
+    found.p_C.push_back(p_C);
+    found.n_C.push_back(normal(i));
+  }
+  return found;
+}
+
+SurfacePoints PointSurface::all() const {
+  SurfacePoints found{points_C_, {}};
+  for (std::size_t i = 0; i < points_C_.size(); ++i) found.n_C.push_back(normal(i));
+  return found;
+}
+
+SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double cell,
+                             std::span<const Eigen::Vector3d> eyes_C) {
+  return PointSurface(points_C, cell, eyes_C).all();
 }
 
 }  // namespace quadrille

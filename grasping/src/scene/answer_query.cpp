@@ -15,6 +15,7 @@
 #include "targets/asked_for.hpp"
 #include "targets/spread.hpp"
 #include "targets/target_grasps.hpp"
+#include "targets/target_order.hpp"
 #include "targets/target_scene.hpp"
 #include "targets/terms.hpp"
 
@@ -124,7 +125,10 @@ class QueryPlanner {
     }
     const int count = static_cast<int>(asked.size());
     std::vector<Outcome> outcomes(asked.size());
-    parallel_for(count, parts_.options.threads, [&](int k) { outcomes[k] = search(*asked[k]); });
+    const std::vector<int> order =
+        deadline_.is_set() ? as_given(asked.size()) : costliest_first(asked, parts_);
+    parallel_for(count, parts_.options.threads,
+                 [&](int k) { outcomes[order[k]] = search(*asked[order[k]]); });
     for (int k = 0; k < count; ++k) add(*asked[k], std::move(outcomes[k]));
   }
 

@@ -97,6 +97,7 @@ void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* p
   parts->space = std::make_shared<OccupancyGrid>(
       std::move(mapper).take_on_demand(parts->shared_views, up_to_clear(*parts)));
   if (parts->targets.empty()) return;
+  parts->surfaces = TargetSurfaces(parts->targets);
   const UnknownPolicy unknown = parts->options.unknown;
   parts->map.emplace(*parts->space,
                      unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,

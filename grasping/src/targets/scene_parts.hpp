@@ -17,6 +17,7 @@
 #include "quadrille/grasping/refusal.hpp"
 #include "space/obstacle_map.hpp"
 #include "targets/target.hpp"
+#include "targets/target_surfaces.hpp"
 #include "view/depth_view.hpp"
 
 namespace quadrille {
@@ -59,6 +60,8 @@ struct SceneParts {
   /// The points of all views around the targets, without strays.
   ViewedPoints points;
   std::vector<Target> targets;
+  /// What the points show about the targets.
+  TargetSurfaces surfaces;
   /// The view that shows most of a target.
   const DepthView& view_of(const Target& target) const { return views[target.view]; }
   /// Why other detections and boxes are not targets, by id: "is a plane".

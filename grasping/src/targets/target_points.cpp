@@ -6,18 +6,15 @@
 #include <vector>
 
 #include "base/point_buckets.hpp"
+#include "targets/target_surfaces.hpp"
 
 namespace quadrille {
 namespace {
 
-// Points are thinned to one for each cube of this edge [m].
-constexpr double kCell = 0.0025;
 // Points up to this distance outside the box around a target belong to it [m].
 constexpr double kOwn = 0.005;
 // Points are connected if they lie no farther apart than this [m].
 constexpr double kApart = 0.0055;
-// Points up to this height above a support belong to the support [m].
-constexpr double kOnSupport = 0.006;
 // A solid is clearly too wide above this share of the opening: of 26 such solids in simulated and
 // real scenes none was ever held by its points. One with a share of 1.09 was. Points this far
 // outside of the solid [m], if there are at least so many of them, may be a part to hold.
@@ -38,36 +35,38 @@ void mark_connected(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_b
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (own[i]) open.push_back(i);
   }
+  // Points that are decided: own ones, and others that may not be own. Where all points near a cube
+  // are decided, its further points add nothing.
+  std::vector<char> decided = own, all_decided(near.size(), 0);
   while (!open.empty()) {
     const std::size_t i = open.back();
     open.pop_back();
-    for (const std::span<const int> row : near[cube_of[i]]) {
+    const std::size_t cube = cube_of[i];
+    if (all_decided[cube]) continue;
+    bool all = true;
+    for (const std::span<const int> row : near[cube]) {
       for (const int j : row) {
-        if (own[j] || (points[j] - points[i]).norm() > kApart || !may_be_own(points[j])) continue;
+        // Unlike vectors, these do not check each access.
+        if (decided.data()[j]) continue;
+        if ((points.data()[j] - points.data()[i]).norm() > kApart) {
+          all = false;
+          continue;
+        }
+        decided[j] = 1;
+        if (!may_be_own(points[j])) continue;
         own[j] = 1;
         open.push_back(static_cast<std::size_t>(j));
       }
     }
+    all_decided[cube] = all;
   }
 }
 
 }  // namespace
 
 TargetPoints points_about(const Target& target, const SceneParts& parts) {
-  const Eigen::AlignedBox3d region = around(target.body, parts.gripper.max_opening);
-  const Eigen::AlignedBox3f near = region.cast<float>();
-  std::vector<Eigen::Vector3d> points, eyes;
-  parts.points.runs.each_in(near, [&](std::size_t n) {
-    const Eigen::Vector3d p_C = parts.points.p_C[n].cast<double>();
-    const auto holds_up = [&](const SupportPlane& plane) {
-      return plane.distance(p_C) < kOnSupport;
-    };
-    if (std::none_of(target.supports.begin(), target.supports.end(), holds_up)) {
-      points.push_back(p_C);
-      eyes.push_back(parts.views[parts.points.view[n]].p_CV());
-    }
-  });
-  TargetPoints found{surface_points(points, kCell, eyes), {}};
+  TargetPoints found{parts.surfaces.about(target, parts).within(surroundings_of(target, parts)),
+                     {}};
   for (const Eigen::Vector3d& p : found.all.p_C) found.own.push_back(target.body.contains(p, kOwn));
   if (target.whole) return found;
   const auto of_no_other = [&](const Eigen::Vector3d& p_C) {

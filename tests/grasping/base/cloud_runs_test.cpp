@@ -32,7 +32,10 @@ TEST_CASE("all points in a box are found in order, missing ones never", "[cloud_
     runs.each_in(box, [&](std::size_t n) { found.push_back(n); });
     CHECK(found == expected);
     CHECK(!found.empty());
+    CHECK(runs.count_near(box) >= found.size());
   }
+  const Eigen::Vector3f far = Eigen::Vector3f::Constant(100.0f);
+  CHECK(runs.count_near({far, far}) == 0);
   CloudRuns().each_in({p, p}, [](std::size_t) { FAIL("there are no points"); });
 }
 

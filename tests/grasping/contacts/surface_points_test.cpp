@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grasping/scenes.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
@@ -91,4 +92,38 @@ TEST_CASE("points without neighbours have no normal", "[contacts][points]") {
   REQUIRE(surface.p_C.size() == 3);
   for (const Eigen::Vector3d& n : surface.n_C) CHECK(n.isZero());
   CHECK(surface_points_of({}).p_C.empty());
+}
+
+TEST_CASE("a box of a surface has the points and normals of the whole surface that lie in it",
+          "[contacts][points]") {
+  const Ball ball{Eigen::Vector3d(0.02, -0.01, 0.7), 0.03};
+  const std::vector<Eigen::Vector3d> points = seen_half(ball);
+  const PointSurface surface(points, kCell, std::vector<Eigen::Vector3d>(points.size(), kEye));
+  const Eigen::AlignedBox3d box(ball.p_C - Eigen::Vector3d::Constant(0.1), ball.p_C);
+  const SurfacePoints part = surface.within(box), whole = surface.all();
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < whole.p_C.size(); ++i) {
+    if (!box.contains(whole.p_C[i])) continue;
+    REQUIRE(n < part.p_C.size());
+    CHECK(part.p_C[n] == whole.p_C[i]);
+    CHECK(part.n_C[n] == whole.n_C[i]);
+    ++n;
+  }
+  CHECK(n > 100);
+  CHECK(n == part.p_C.size());
+}
+
+TEST_CASE("threads that ask for a surface at once get the same bits",
+          "[contacts][points][determinism]") {
+  const std::vector<Eigen::Vector3d> points = seen_half({Eigen::Vector3d(0.0, 0.0, 0.6), 0.02});
+  const std::vector<Eigen::Vector3d> eyes(points.size(), kEye);
+  const SurfacePoints alone = surface_points(points, kCell, eyes);
+  const PointSurface shared(points, kCell, eyes);
+  std::array<SurfacePoints, 8> found;
+  parallel_for(static_cast<int>(found.size()), static_cast<int>(found.size()),
+               [&](int k) { found[k] = shared.all(); });
+  for (const SurfacePoints& one : found) {
+    CHECK(one.p_C == alone.p_C);
+    CHECK(one.n_C == alone.n_C);
+  }
 }
