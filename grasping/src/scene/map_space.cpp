@@ -9,12 +9,17 @@
 #include <utility>
 #include <vector>
 
+#include "quadrille/detector/vector_clones.hpp"
 #include "space/map_limits.hpp"
 #include "space/space_mapper.hpp"
 #include "space/surface_cover.hpp"
 
 namespace quadrille {
 namespace {
+
+// Number of points that are looked at together. They follow each other in the picture, and mostly
+// all of them lie in the region around the targets.
+constexpr int kAtOnce = 16;
 
 /// Returns the resolution [m] at which the region around all targets is mapped, and warns if it is
 /// coarser than asked for.
@@ -42,16 +47,42 @@ std::vector<std::uint8_t> without_repeats(const DepthView& view,
   return left_out;
 }
 
+/// Returns true if all points lie in a region and none is left out.
+QUADRILLE_VECTOR_CLONES
+bool all_kept(const float* x, const std::uint8_t* left_out, const float* low, const float* high) {
+  int kept = 1;
+  // The bounds are repeated for each point.
+  for (std::size_t n = 0; n < 3 * kAtOnce; ++n) {
+    kept &= static_cast<int>(x[n] >= low[n]) & static_cast<int>(x[n] <= high[n]);
+  }
+  int left = 0;
+  for (std::size_t n = 0; n < kAtOnce; ++n) left |= left_out[n];
+  return kept != 0 && left == 0;
+}
+
 /// Keeps the points of a view that lie in a region.
 void keep_points(const std::vector<Eigen::Vector3f>& points, std::size_t view,
                  const Eigen::AlignedBox3f& region, const std::vector<std::uint8_t>& left_out,
                  ViewedPoints* kept) {
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    if (region.contains(points.data()[n]) && !left_out.data()[n]) {
-      kept->p_C.push_back(points.data()[n]);
+  using Bounds = Eigen::Matrix<float, 3, kAtOnce>;
+  const Bounds low = region.min().replicate<1, kAtOnce>(),
+               high = region.max().replicate<1, kAtOnce>();
+  std::vector<Eigen::Vector3f>& p_C = kept->p_C;
+  p_C.reserve(p_C.size() + points.size());
+  for (std::size_t first = 0; first < points.size(); first += kAtOnce) {
+    const std::size_t end = std::min(first + kAtOnce, points.size());
+    const Eigen::Vector3f* from = points.data();
+    const std::uint8_t* left = left_out.data();
+    if (end - first == kAtOnce &&
+        all_kept(from[first].data(), left + first, low.data(), high.data())) {
+      p_C.insert(p_C.end(), from + first, from + end);
+      continue;
+    }
+    for (std::size_t n = first; n < end; ++n) {
+      if (region.contains(from[n]) && !left[n]) p_C.push_back(from[n]);
     }
   }
-  kept->view.resize(kept->p_C.size(), static_cast<int>(view));
+  kept->view.resize(p_C.size(), static_cast<int>(view));
 }
 
 /// Adds the points of all views to the map, and keeps those around the targets.

@@ -18,18 +18,45 @@ struct Gap {
   double before, after;  // depths at its ends
 };
 
+/// Calls visit(n) for each place of a row where one value is missing and the other was measured.
+template <class Visitor>
+void each_end(const float* missing, const float* measured, int count, Visitor&& visit) {
+  // Most places are not, so that many are looked at together.
+  constexpr int kTogether = 16;
+  for (int first = 0; first < count; first += kTogether) {
+    const int end = std::min(first + kTogether, count);
+    int found = 0;
+    for (int n = first; n < end; ++n) found |= (missing[n] == 0.0f) & (measured[n] != 0.0f);
+    for (int n = first; found != 0 && n < end; ++n) {
+      if (missing[n] == 0.0f && measured[n] != 0.0f) visit(n);
+    }
+  }
+}
+
+/// Calls visit(gap) for the gap that ends before a measured pixel, unless it reaches to the edge of
+/// the image.
+/// @param end  the pixel, which is number `number` of its row or column
+template <class Visitor>
+void visit_gap_before(const DepthImage& image, std::size_t end, int number, std::size_t stride,
+                      Visitor&& visit) {
+  const float* after = image.depth.data() + end;
+  const float* before = after;
+  int length = -1;
+  do {
+    before -= stride;
+    ++length;
+  } while (length < number - 1 && *before == 0.0f);
+  if (*before != 0.0f) {
+    visit(Gap{end - static_cast<std::size_t>(length) * stride, length, stride, *before, *after});
+  }
+}
+
 /// Calls visit(gap) for each gap in a row of pixels, the first of which is at `start`.
 template <class Visitor>
 void each_gap_along(const DepthImage& image, std::size_t start, Visitor&& visit) {
-  const float* row = &image.depth[start];
-  int seen = -1;  // index of the last measured pixel
-  for (int n = 0; n < image.width; ++n) {
-    if (row[n] == 0.0f) continue;
-    if (seen >= 0 && n > seen + 1) {
-      visit(Gap{start + seen + 1, n - seen - 1, 1, row[seen], row[n]});
-    }
-    seen = n;
-  }
+  const float* row = image.depth.data() + start;
+  each_end(row, row + 1, image.width - 1,
+           [&](int n) { visit_gap_before(image, start + n + 1, n + 1, 1, visit); });
 }
 
 /// Calls visit(gap) for each gap in the columns of an image. The image is passed row by row, as it
@@ -37,18 +64,10 @@ void each_gap_along(const DepthImage& image, std::size_t start, Visitor&& visit)
 template <class Visitor>
 void each_gap_across(const DepthImage& image, Visitor&& visit) {
   const auto stride = static_cast<std::size_t>(image.width);
-  std::vector<int> seen(stride, -1);  // row of the last measured pixel of each column
-  for (int v = 0; v < image.height; ++v) {
-    const float* row = &image.depth[image.index(0, v)];
-    int* last = seen.data();
-    for (int u = 0; u < image.width; ++u) {
-      if (row[u] == 0.0f) continue;
-      if (last[u] >= 0 && v > last[u] + 1) {
-        visit(Gap{image.index(u, last[u] + 1), v - last[u] - 1, stride, image.at(u, last[u]),
-                  row[u]});
-      }
-      last[u] = v;
-    }
+  for (int v = 1; v < image.height; ++v) {
+    const float* row = image.depth.data() + image.index(0, v);
+    each_end(row - stride, row, image.width,
+             [&](int u) { visit_gap_before(image, image.index(u, v), v, stride, visit); });
   }
 }
 
