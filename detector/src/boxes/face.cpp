@@ -27,6 +27,8 @@ constexpr double kMaxTurn = 0.5;
 // grows by this factor.
 constexpr int kMaxRefits = 6;
 constexpr double kMinGrowth = 1.1;
+// A face is at most this many times as noisy as what it grows from.
+constexpr double kMaxNoise = 2.0;
 // So many points in and around a patch suffice to tell how far it grows and whether it bends.
 constexpr std::size_t kDraftPoints = 1500;
 // This many points suffice for reach().
@@ -160,16 +162,18 @@ double area_of(const Face& face) {
 
 /// The pieces of a patch, the largest first.
 /// @param sigma       noise of the points [m]; measured if not given
+/// @param max_sigma   the most that the measured noise may be [m]
 /// @param max_points  number of points looked at
 std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma,
-                             const DirectionIndex& sight, std::size_t max_points = kMaxPoints) {
+                             const DirectionIndex& sight, std::size_t max_points = kMaxPoints,
+                             double max_sigma = kMaxTolerance) {
   Face whole;
   whole.n_C = patch.X_CP.linear().col(2);
   whole.offset = whole.n_C.dot(patch.X_CP.translation());
   std::vector<Eigen::Vector3d> points =
       sight.points_towards(corners_C(patch), kMaxTolerance, max_points);
   std::erase_if(points, [&](const auto& p) { return std::abs(whole.height(p)) > kMaxTolerance; });
-  whole.sigma = sigma ? *sigma : noise_of(patch, points);
+  whole.sigma = sigma ? *sigma : std::min(noise_of(patch, points), max_sigma);
   const double tolerance = whole.tolerance();
 
   const Eigen::Isometry3d X_PC = patch.X_CP.inverse();
@@ -243,9 +247,10 @@ double turn_across(const Piece& piece) {
 
 /// The largest piece around a piece, in the plane that is fitted to that piece.
 std::optional<Piece> refitted(const Piece& piece, const Eigen::Matrix3d& R_CL,
-                              const DirectionIndex& sight, std::size_t max_points = kMaxPoints) {
+                              const DirectionIndex& sight, std::size_t max_points = kMaxPoints,
+                              double max_sigma = kMaxTolerance) {
   std::vector<Piece> pieces =
-      pieces_of(patch_around(piece.measured_C, R_CL), {}, sight, max_points);
+      pieces_of(patch_around(piece.measured_C, R_CL), {}, sight, max_points, max_sigma);
   if (pieces.empty()) return std::nullopt;
   return std::move(pieces.front());
 }
@@ -253,10 +258,11 @@ std::optional<Piece> refitted(const Piece& piece, const Eigen::Matrix3d& R_CL,
 /// The piece after it was fitted to its own points again and again, as long as it grows; nullopt
 /// if there is none.
 std::optional<Piece> grown(const Piece& piece, const Eigen::Matrix3d& R_CL,
-                           const DirectionIndex& sight, std::size_t max_points) {
+                           const DirectionIndex& sight, std::size_t max_points,
+                           double max_sigma) {
   std::optional<Piece> best;
   for (int round = 0; round < kMaxRefits; ++round) {
-    std::optional<Piece> next = refitted(best ? *best : piece, R_CL, sight, max_points);
+    std::optional<Piece> next = refitted(best ? *best : piece, R_CL, sight, max_points, max_sigma);
     if (!next) break;
     if (best && area_of(next->face) < kMinGrowth * area_of(best->face)) break;
     best = std::move(next);
@@ -269,7 +275,7 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
                               std::size_t max_points) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight, max_points);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = grown(pieces.front(), patch.X_CP.linear(), sight, max_points);
+  std::optional<Piece> piece = grown(pieces.front(), patch.X_CP.linear(), sight, max_points, kMaxNoise * sigma);
   if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
   piece->face.is_patch = true;
   return std::move(piece->face);
@@ -280,7 +286,7 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = refitted(pieces.front(), patch.X_CP.linear(), sight);
+  std::optional<Piece> piece = refitted(pieces.front(), patch.X_CP.linear(), sight, kMaxPoints, kMaxNoise * sigma);
   if (!piece) return std::nullopt;
   return std::move(piece->face);
 }

@@ -123,7 +123,10 @@ class BoxMaker {
     for (std::size_t k = 0; k < patches.size(); ++k) {
       if (is_known(patches[k].patch)) continue;
       if (!ahead) draft(k);
-      if (drafts[k]) faces_.push_back(std::move(*drafts[k]));
+      // A patch beside a known face may grow onto it; then it is a second fit of that face.
+      if (drafts[k] && !is_known(drafts[k]->middle_C, drafts[k]->n_C)) {
+        faces_.push_back(std::move(*drafts[k]));
+      }
     }
   }
 
@@ -148,11 +151,14 @@ class BoxMaker {
     }
   }
 
-  /// True if a face that was found before already covers the middle of the patch.
   bool is_known(const FacePatch& patch) const {
-    const Eigen::Vector3d middle_C = patch.X_CP.translation();
+    return is_known(patch.X_CP.translation(), patch.X_CP.linear().col(2));
+  }
+
+  /// True if a face that was found before already covers the middle of a patch.
+  bool is_known(const Eigen::Vector3d& middle_C, const Eigen::Vector3d& n_C) const {
     return std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
-      return face.n_C.dot(patch.X_CP.linear().col(2)) > std::cos(2.0 * kMaxSkew) &&
+      return face.n_C.dot(n_C) > std::cos(2.0 * kMaxSkew) &&
              std::abs(face.height(middle_C)) < kRounding &&
              (middle_C - face.middle_C).norm() < face.radius;
     });

@@ -91,7 +91,7 @@ bool on_faces(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A, double ra
     on += std::any_of(
               draft.faces.begin(), draft.faces.end(),
               [&](const Face* face) { return std::abs(face->height(p_C)) <= face->tolerance(); }) ||
-          (radius > 0.0 && distance_to_surface(box_A, radius, p_A) <= tolerance);
+          distance_to_surface(box_A, radius, p_A) <= tolerance;
   }
   return on > kMinOnFaces * in_box;
 }
