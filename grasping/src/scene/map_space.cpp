@@ -52,7 +52,7 @@ QUADRILLE_VECTOR_CLONES
 bool all_kept(const float* x, const std::uint8_t* left_out, const float* low, const float* high) {
   int kept = 1;
   // The bounds are repeated for each point.
-  for (std::size_t n = 0; n < 3 * kAtOnce; ++n) {
+  for (std::size_t n = 0; n < std::size_t{3} * kAtOnce; ++n) {
     kept &= static_cast<int>(x[n] >= low[n]) & static_cast<int>(x[n] <= high[n]);
   }
   int left = 0;
