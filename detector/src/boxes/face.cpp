@@ -258,8 +258,7 @@ std::optional<Piece> refitted(const Piece& piece, const Eigen::Matrix3d& R_CL,
 /// The piece after it was fitted to its own points again and again, as long as it grows; nullopt
 /// if there is none.
 std::optional<Piece> grown(const Piece& piece, const Eigen::Matrix3d& R_CL,
-                           const DirectionIndex& sight, std::size_t max_points,
-                           double max_sigma) {
+                           const DirectionIndex& sight, std::size_t max_points, double max_sigma) {
   std::optional<Piece> best;
   for (int round = 0; round < kMaxRefits; ++round) {
     std::optional<Piece> next = refitted(best ? *best : piece, R_CL, sight, max_points, max_sigma);
@@ -275,7 +274,8 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
                               std::size_t max_points) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight, max_points);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = grown(pieces.front(), patch.X_CP.linear(), sight, max_points, kMaxNoise * sigma);
+  std::optional<Piece> piece =
+      grown(pieces.front(), patch.X_CP.linear(), sight, max_points, kMaxNoise * sigma);
   if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
   piece->face.is_patch = true;
   return std::move(piece->face);
@@ -286,7 +286,8 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = refitted(pieces.front(), patch.X_CP.linear(), sight, kMaxPoints, kMaxNoise * sigma);
+  std::optional<Piece> piece =
+      refitted(pieces.front(), patch.X_CP.linear(), sight, kMaxPoints, kMaxNoise * sigma);
   if (!piece) return std::nullopt;
   return std::move(piece->face);
 }
