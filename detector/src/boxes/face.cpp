@@ -27,7 +27,8 @@ constexpr double kMaxTurn = 0.5;
 // grows by this factor.
 constexpr int kMaxRefits = 6;
 constexpr double kMinGrowth = 1.1;
-// A face is at most this many times as noisy as what it grows from.
+// A face is at most this many times as noisy as what it grows from. If it grows onto a neighbour,
+// the step between them passes for noise, and the face swallows whatever lies near.
 constexpr double kMaxNoise = 2.0;
 // So many points in and around a patch suffice to tell how far it grows and whether it bends.
 constexpr std::size_t kDraftPoints = 1500;

@@ -151,11 +151,12 @@ class BoxMaker {
     }
   }
 
+  /// True if a face that was found before already covers the middle of a patch.
   bool is_known(const FacePatch& patch) const {
     return is_known(patch.X_CP.translation(), patch.X_CP.linear().col(2));
   }
 
-  /// True if a face that was found before already covers the middle of a patch.
+  /// True if a face that was found before covers that point and faces almost the same way.
   bool is_known(const Eigen::Vector3d& middle_C, const Eigen::Vector3d& n_C) const {
     return std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
       return face.n_C.dot(n_C) > std::cos(2.0 * kMaxSkew) &&

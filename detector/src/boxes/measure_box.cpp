@@ -24,8 +24,8 @@ constexpr double kMaxDoubt = 0.1;
 
 // Score of a box of which no face was detected.
 constexpr double kUndetectedScore = 0.5;
-// Least share of the points in a box that lie on its faces and the edges between them, if one of
-// these is only a patch.
+// Least share of the points in a box that lie on its sides and the edges between them, if one of
+// its faces is only a patch.
 constexpr double kMinOnFaces = 0.85;
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
@@ -77,8 +77,9 @@ double distance_to_surface(const Eigen::AlignedBox3d& box_A, double radius,
   return std::abs(beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - radius);
 }
 
-/// True if most of the points in the box lie on its faces or on the edges between them. On a round
-/// body they lie between two faces that only touch it.
+/// True if most of the points in the box lie on its faces, on its other sides or on the edges
+/// between them: the third side of a box may have too few points for a face. On a round body they
+/// lie between two faces that only touch it.
 bool on_faces(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A, double radius) {
   const double tolerance = draft.max_tolerance();
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(tolerance);

@@ -8,7 +8,6 @@
 
 #include "fit/family_spec.hpp"
 #include "fit/geometric_fit.hpp"
-#include "samples/inliers.hpp"
 #include "samples/region.hpp"
 #include "surfaces/surface_fit.hpp"
 

@@ -60,7 +60,7 @@ struct SceneParts {
   /// The points of all views around the targets, without strays.
   ViewedPoints points;
   std::vector<Target> targets;
-  /// What the points show about the targets.
+  /// The measured surfaces of the targets and around them, without what the targets stand on.
   TargetSurfaces surfaces;
   /// The view that shows most of a target.
   const DepthView& view_of(const Target& target) const { return views[target.view]; }

@@ -37,7 +37,8 @@ struct ScenePoints {
     parts.targets = {ball_above({{0.0, 0.0, 0.7}, 0.02}, 0.72),
                      ball_above({{0.1, 0.0, 0.7}, 0.02}, 0.72),
                      ball_above({{0.0, 0.1, 0.7}, 0.02}, 0.75)};
-    // The same plane, given by another of its points.
+    // The second ball stands on the plane of the first one, which is given by another of its
+    // points.
     parts.targets[1].supports.front().X_CP.translation().x() = 0.3;
     PointCloud cloud;
     for (double x = -0.2; x < 0.3; x += 0.002) {
