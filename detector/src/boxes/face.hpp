@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,6 +24,9 @@ inline constexpr double kGapPitches = 2.5;
 /// Least cosine between a line of sight and a normal at which a face is looked at and pitches are
 /// stretched.
 inline constexpr double kMinCosine = 0.1;
+/// Share of a face's points that is left out at either end of its range, since some points may be
+/// those of a neighbour.
+inline constexpr double kTrimmed = 0.01;
 /// Distance around an edge within which its surroundings are looked at [m].
 inline constexpr double kAround = 0.02;
 
@@ -58,6 +60,8 @@ struct Face {
   /// Number of independent measurements among the points, since neighbouring points share noise.
   double measurements() const { return static_cast<double>(points_C.size()) / 16.0; }
   double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
+  /// Sets middle_C and radius from the points.
+  void set_middle();
   /// Points count as part of the face if they lie no farther than this from the plane [m].
   double tolerance() const;
   /// Distance between neighbouring points along a unit direction u in the plane [m].
@@ -73,11 +77,6 @@ struct FacePatch {
   Eigen::Vector2d half = Eigen::Vector2d::Zero();
 };
 
-/// The largest connected piece of flat surface near a patch and nearly parallel to it, with its
-/// plane refitted; nullopt if there are too few points.
-/// @param sigma  noise of the points along the patch's normal [m]
-std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
-
 /// The least-squares plane of some points and the rectangle around them.
 /// @param R_CL  axes of a frame whose x and z are nearly those of the patch
 FacePatch patch_around(const std::vector<Eigen::Vector3d>& points_C, const Eigen::Matrix3d& R_CL);
@@ -88,17 +87,5 @@ struct FlatPatch {
   FacePatch patch;
   double sigma = 0.0;
 };
-
-/// The largest connected piece of flat surface at a patch, which has grown as far as its plane
-/// explains points; nullopt if there is none, or if it bends. It has only as many of its points as
-/// tell so.
-std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight);
-
-/// The face that grows from a draft when all points are looked at; nullopt as for a draft.
-std::optional<Face> finished_face(const Face& draft, const DirectionIndex& sight);
-
-/// The connected pieces of a plane with their points, the largest first. One plane may hold faces
-/// of several boxes of the same height.
-std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight);
 
 }  // namespace quadrille

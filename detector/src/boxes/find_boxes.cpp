@@ -15,6 +15,7 @@
 #include "boxes/box_ends.hpp"
 #include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
+#include "boxes/find_faces.hpp"
 #include "boxes/grouping.hpp"
 #include "boxes/measure_box.hpp"
 #include "boxes/missing_face.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "boxes/face_edge.hpp"
+#include "boxes/find_faces.hpp"
 #include "boxes/grouping.hpp"
 
 namespace quadrille {

@@ -1,0 +1,135 @@
+#include "boxes/find_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/quantile.hpp"
+#include "base/symmetric_eigen.hpp"
+#include "boxes/face_pieces.hpp"
+#include "samples/height_fit.hpp"
+
+namespace quadrille {
+namespace {
+
+// The normal of a face that was not detected as a plane turns across it by no more than this [rad].
+// Worn boxes bulge; the strip of a cylinder that passes for a plane turns by .7 or more.
+constexpr double kMaxTurn = 0.5;
+// A face is fitted at most so often to the points that its last fit explains, as long as its area
+// grows by this factor.
+constexpr int kMaxRefits = 6;
+constexpr double kMinGrowth = 1.1;
+// A face is at most this many times as noisy as what it grows from. If it grows onto a neighbour,
+// the step between them passes for noise, and the face swallows whatever lies near.
+constexpr double kMaxNoise = 2.0;
+// So many points in and around a patch suffice to tell how far it grows and whether it bends.
+constexpr std::size_t kDraftPoints = 1500;
+
+FacePatch patch_of(const Detection& plane) {
+  FacePatch patch{plane.X_CQ, 0.5 * plane.extent_Q.sizes().head<2>()};
+  Eigen::Vector3d middle_Q = plane.extent_Q.center();
+  middle_Q.z() = 0.0;
+  patch.X_CP.translation() = plane.X_CQ * middle_Q;
+  if (outward_normal(plane).dot(patch.X_CP.linear().col(2)) < 0.0) {
+    patch.X_CP.linear().col(1) *= -1.0;
+    patch.X_CP.linear().col(2) *= -1.0;
+  }
+  return patch;
+}
+
+/// Area that the points stand for, however far they are thinned [m²].
+double area_of(const Face& face) {
+  return static_cast<double>(face.points_C.size()) * face.pitch * face.pitch / face.cosine;
+}
+
+/// How far the normal turns across a piece of surface [rad], by a quadratic fit to its points:
+/// nearly 0 on a flat face, about 1 on the strip of a cylinder that is thin enough to pass for a
+/// plane.
+double turn_across(const Piece& piece) {
+  const Eigen::Vector3d n = piece.face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+  HeightFit fit;
+  std::vector<Eigen::Vector2d> places;
+  for (const Eigen::Vector3d& p : piece.measured_C) {
+    const Eigen::Vector3d x = p - piece.face.middle_C;
+    places.emplace_back(x.dot(e1), x.dot(e2));
+    fit.add(places.back().x(), places.back().y(), piece.face.height(p));
+  }
+  const HeightFit::Vector6 a = fit.factor().solve(fit.b);
+  Eigen::Matrix2d H;
+  H << 2 * a[3], a[4], a[4], 2 * a[5];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
+  double turn = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    std::vector<double> x;
+    x.reserve(places.size());
+    for (const Eigen::Vector2d& place : places) x.push_back(eigen.eigenvectors().col(k).dot(place));
+    const double low = quantile(x, kTrimmed), width = quantile(x, 1.0 - kTrimmed) - low;
+    turn = std::max(turn, std::abs(eigen.eigenvalues()[k]) * width);
+  }
+  return turn;
+}
+
+/// The piece after it was fitted to its own points again and again, as long as it grows; nullopt
+/// if there is none.
+std::optional<Piece> grown(const Piece& piece, const Eigen::Matrix3d& R_CL,
+                           const PieceFinder& finder) {
+  std::optional<Piece> best;
+  for (int round = 0; round < kMaxRefits; ++round) {
+    std::optional<Piece> next = finder.refitted(best ? *best : piece, R_CL);
+    if (!next) break;
+    if (best && area_of(next->face) < kMinGrowth * area_of(best->face)) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
+/// The face that grows from a patch; nullopt if there is none, or if it bends.
+std::optional<Face> flat_face(const FacePatch& patch, double sigma, const DirectionIndex& sight,
+                              std::size_t max_points) {
+  const PieceFinder finder(sight, kMaxNoise * sigma, max_points);
+  const std::vector<Piece> pieces = finder.pieces_of(patch, sigma);
+  if (pieces.empty()) return std::nullopt;
+  std::optional<Piece> piece = grown(pieces.front(), patch.X_CP.linear(), finder);
+  if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
+  piece->face.is_patch = true;
+  return std::move(piece->face);
+}
+
+}  // namespace
+
+std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
+  const PieceFinder finder(sight, kMaxNoise * sigma);
+  const std::vector<Piece> pieces = finder.pieces_of(patch, sigma);
+  if (pieces.empty()) return std::nullopt;
+  std::optional<Piece> piece = finder.refitted(pieces.front(), patch.X_CP.linear());
+  if (!piece) return std::nullopt;
+  return std::move(piece->face);
+}
+
+std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight) {
+  return flat_face(flat.patch, flat.sigma, sight, kDraftPoints);
+}
+
+std::optional<Face> finished_face(const Face& draft, const DirectionIndex& sight) {
+  Eigen::Matrix3d R_CL;
+  R_CL << draft.n_C.unitOrthogonal(), Eigen::Vector3d::Zero(), draft.n_C;
+  return flat_face(patch_around(draft.points_C, R_CL), draft.sigma, sight, kMaxPoints);
+}
+
+std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) {
+  const FacePatch patch = patch_of(plane);
+  const PieceFinder finder(sight);
+  std::vector<Piece> pieces = finder.pieces_of(patch);
+  std::vector<Face> faces;
+  for (Piece& piece : pieces) {
+    // If a plane has several pieces, each has a plane of its own, and the common plane is only
+    // their mean.
+    auto own = pieces.size() > 1 ? finder.refitted(piece, patch.X_CP.linear()) : std::nullopt;
+    faces.push_back(std::move(own ? own->face : piece.face));
+    faces.back().id = plane.id;
+    faces.back().score = plane.score;
+  }
+  return faces;
+}
+
+}  // namespace quadrille
