@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "bodies/convex_pieces.hpp"
 #include "bodies/lumps.hpp"
 #include "boxes/face.hpp"
+#include "samples/convex_pieces.hpp"
 
 namespace quadrille {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/quantile.hpp"
 #include "boxes/bounding_plane.hpp"
-#include "boxes/edge_radius.hpp"
+#include "boxes/rounded_box_fit.hpp"
 #include "boxes/sight_lines.hpp"
 
 namespace quadrille {
@@ -15,9 +15,9 @@ namespace {
 // Standard deviation of an end that is a face or rests on a plane, in addition to that of the
 // plane's points [m].
 constexpr double kPlaneStd = 0.0005;
-// Standard deviation of what a rounded edge adds to a face, as a share of it. The radii of a box's
-// edges differ about as much.
-constexpr double kUnsureShare = 0.33;
+// The outlines of two faces tell the same end if they are no farther apart than this many standard
+// deviations, beside the rounding.
+constexpr double kMaxApart = 3.0;
 
 /// An end that is a face: the median position of the face's points along the axis.
 BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
@@ -28,30 +28,41 @@ BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
   return {median(heights), std::hypot(kPlaneStd, noise), true};
 }
 
-/// An end from the outlines of the faces that lie along the axis. Two outlines that were seen are
-/// averaged; otherwise the farther one counts.
-BoxEnd outline_end(const BoxDraft& draft, int axis, int upper, double radius) {
+/// The outlines that tell where an end is: those of the faces that lie along the axis. A face that
+/// bulges or is hidden in part may end early, so of two outlines that are far apart the farther one
+/// is kept. Otherwise those that were seen are kept, if there are any.
+std::vector<Outline> outlines_of(const BoxDraft& draft, int axis, int upper) {
   const Eigen::Vector3d out_C = draft.out_C(axis, upper);
-  std::vector<FaceEdge> edges;
+  std::vector<Outline> outlines;
   for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
     if (i == axis) continue;
     const Face& face = *draft.faces[i];
-    FaceEdge& edge = edges.emplace_back(edge_of(face, out_C, draft.seen_through[i], *draft.sight));
-    if (!edge.seen || edge.meets) continue;
-    const double beyond = reach_beyond(face, edge.turn, radius, out_C, *draft.sight);
-    edge.at += beyond;
-    edge.std = std::hypot(edge.std, kUnsureShare * beyond);
+    outlines.push_back(
+        {&face, axis, upper, out_C, edge_of(face, out_C, draft.seen_through[i], *draft.sight)});
   }
+  if (outlines.size() < 2) return outlines;
+  const FaceEdge &a = outlines.front().edge, &b = outlines.back().edge;
+  const double apart = kMaxApart * std::hypot(a.std, b.std) + kRounding;
+  if (std::abs(a.at - b.at) > apart) {
+    outlines.erase(a.at < b.at ? outlines.begin() : outlines.end() - 1);
+  } else if (a.seen != b.seen) {
+    outlines.erase(b.seen ? outlines.begin() : outlines.end() - 1);
+  }
+  return outlines;
+}
+
+/// An end from its outlines. Two outlines that were seen are averaged; of two that were not, the
+/// farther one counts.
+BoxEnd outline_end(const BoxDraft& draft, const std::vector<Outline>& outlines, int axis,
+                   int upper) {
   // Nothing is seen behind a face that stands alone, so this end starts at the face itself.
-  if (edges.empty()) return {-plane_end(draft, *draft.faces[0], axis, !upper).at, 0.0, false};
-  const bool seen = std::any_of(edges.begin(), edges.end(), [](const auto& e) { return e.seen; });
-  if (seen) std::erase_if(edges, [](const FaceEdge& e) { return !e.seen; });
-  const FaceEdge& a = edges.front();
-  const FaceEdge& b = edges.back();
-  if (!seen) return {std::max(a.at, b.at), a.at > b.at ? a.std : b.std, false};
+  if (outlines.empty()) return {-plane_end(draft, *draft.faces[0], axis, !upper).at, 0.0, false};
+  const FaceEdge &a = outlines.front().edge, &b = outlines.back().edge;
+  if (!a.seen) return {std::max(a.at, b.at), a.at > b.at ? a.std : b.std, false};
+  if (outlines.size() == 1) return {a.at, a.std, true};
   const double wa = 1.0 / (a.std * a.std), wb = 1.0 / (b.std * b.std);
-  const double std = edges.size() > 1 ? 1.0 / std::sqrt(wa + wb) : a.std;
-  return {(wa * a.at + wb * b.at) / (wa + wb), std::hypot(std, 0.5 * (a.at - b.at)), true};
+  const double std = std::hypot(1.0 / std::sqrt(wa + wb), 0.5 * (a.at - b.at));
+  return {(wa * a.at + wb * b.at) / (wa + wb), std, true};
 }
 
 /// Finds the plane that stops an end from moving outward, given the end's position and the seen
@@ -82,11 +93,15 @@ BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes
   return end;
 }
 
+/// Finds an end, and adds the outlines that show it to a list.
 BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& planes, int axis,
-                int upper, double radius) {
+                int upper, std::vector<Outline>* shown) {
   if (const Face* face = draft.face_on(axis, upper)) return plane_end(draft, *face, axis, upper);
-  const BoxEnd end = outline_end(draft, axis, upper, radius);
-  return end.seen ? rested(draft, planes, end, axis, upper) : end;
+  const std::vector<Outline> outlines = outlines_of(draft, axis, upper);
+  const BoxEnd end = outline_end(draft, outlines, axis, upper);
+  if (!end.seen) return end;
+  shown->insert(shown->end(), outlines.begin(), outlines.end());
+  return rested(draft, planes, end, axis, upper);
 }
 
 /// How far an end may move outward before the box would hide points that were seen [m].
@@ -119,15 +134,17 @@ BoxEnd bounded(const BoxDraft& draft, const std::vector<const Detection*>& plane
 
 }  // namespace
 
-BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes,
-                  double radius) {
-  BoxEnds ends;
+SeenEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
+  SeenEnds seen;
+  std::vector<Outline> shown;
   for (int axis = 0; axis < 3; ++axis) {
     for (int upper = 0; upper < 2; ++upper) {
-      ends[axis][upper] = find_end(draft, planes, axis, upper, radius);
+      seen.ends[axis][upper] = find_end(draft, planes, axis, upper, &shown);
     }
   }
-  return ends;
+  // A single face shows no edge from both sides.
+  if (draft.faces.size() > 1) seen.radius = fit_rounded_box(draft, shown, &seen.ends);
+  return seen;
 }
 
 BoxEnds bounded(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnds ends) {

@@ -27,12 +27,16 @@ struct BoxEnd {
 /// The lower and the upper end of each side.
 using BoxEnds = std::array<std::array<BoxEnd, 2>, 3>;
 
+/// What was seen of a box: its ends, and the radius of its edges, 0 for sharp ones [m].
+struct SeenEnds {
+  BoxEnds ends;
+  double radius = 0.0;
+};
+
 /// Finds the ends as far as they were seen, from the faces, their outlines, and the planes on which
 /// the outlines rest.
 /// @param planes  all detected planes except the faces
-/// @param radius  radius of the box's edges [m]
-BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes,
-                  double radius);
+SeenEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes);
 
 /// Bounds the unseen ends: they may neither hide points that were seen nor cross a plane.
 BoxEnds bounded(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnds ends);

@@ -11,12 +11,19 @@
 
 namespace quadrille {
 
+/// A point beside a face: its distance from the end of a row, along the row [m], and whether it
+/// shows that the face ends there.
+struct Beside {
+  double distance = 0.0;
+  bool shows_end = false;
+};
+
 /// A line of points that runs towards an edge.
 struct Row {
   double end = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d last_C = Eigen::Vector3d::Zero();
-  /// Distance to the nearest point beyond the end, and whether it shows that the face ends there.
-  double beside = kAround;
+  /// What was seen beyond the end, and whether it shows that the face ends there.
+  std::vector<Beside> beside;
   bool seen = false;
 
   bool empty() const { return !std::isfinite(end); }

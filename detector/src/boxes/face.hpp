@@ -27,6 +27,8 @@ inline constexpr double kMinCosine = 0.1;
 /// Share of a face's points that is left out at either end of its range, since some points may be
 /// those of a neighbour.
 inline constexpr double kTrimmed = 0.01;
+/// So many neighbouring points share their noise and count as one measurement.
+inline constexpr double kSharedNoise = 16.0;
 /// Distance around an edge within which its surroundings are looked at [m].
 inline constexpr double kAround = 0.02;
 
@@ -57,8 +59,8 @@ struct Face {
   Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
   double radius = 0.0;
 
-  /// Number of independent measurements among the points, since neighbouring points share noise.
-  double measurements() const { return static_cast<double>(points_C.size()) / 16.0; }
+  /// Number of independent measurements among the points.
+  double measurements() const { return static_cast<double>(points_C.size()) / kSharedNoise; }
   double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
   /// Sets middle_C and radius from the points.
   void set_middle();

@@ -9,13 +9,14 @@
 #include "base/quantile.hpp"
 #include "boxes/edge_rows.hpp"
 #include "boxes/onto_plane.hpp"
-#include "boxes/turning_edge.hpp"
 
 namespace quadrille {
 namespace {
 
 // An edge counts as seen if at least this share of the rows see it.
 constexpr double kMinSeenShare = 0.3;
+// So many points beside the end of a row tell whether the face ends there.
+constexpr std::size_t kBeside = 5;
 // A point beside a row touches the row's end if it is no farther from it than this many times their
 // distance within the plane (true of a table that is seen at 14° or more), plus the edge's
 // rounding.
@@ -27,6 +28,19 @@ constexpr int kMinBandPoints = 8;
 // A surface that falls away from a face is another side if it leans out by less than this (20°), as
 // lean_of() has it; otherwise it is the face's own rounded edge.
 constexpr double kMaxLean = 0.36;
+
+/// True if most of the nearest points beside the end of a row show that the face ends there. A
+/// sensor may mix a single point from the face and from what stands before it.
+bool most_show_end(std::vector<Beside>* points) {
+  const std::size_t count = std::min(points->size(), kBeside);
+  std::partial_sort(points->begin(), points->begin() + static_cast<std::ptrdiff_t>(count),
+                    points->end(),
+                    [](const Beside& a, const Beside& b) { return a.distance < b.distance; });
+  const auto shown =
+      std::count_if(points->begin(), points->begin() + static_cast<std::ptrdiff_t>(count),
+                    [](const Beside& point) { return point.shows_end; });
+  return 2 * static_cast<std::size_t>(shown) > count;
+}
 
 /// Records for each row what was seen beside its end.
 void look_beside(const Face& face, const Eigen::Vector3d& out_C,
@@ -41,15 +55,15 @@ void look_beside(const Face& face, const Eigen::Vector3d& out_C,
     Row* row = rows.at(seen.on_C);
     if (!row || row->empty()) continue;
     const double beyond = place - row->end;
-    if (!(beyond > 0.0 && beyond < row->beside)) continue;
+    if (!(beyond > 0.0 && beyond < kAround)) continue;
     const bool behind = seen.height < -face.tolerance();
     // A point in the plane beyond the end is no sign of an end.
     const bool touches =
         seen.height > face.tolerance() &&
         (seen.p_C - row->last_C).norm() < kMaxSlant * beyond + face.tolerance() + kRounding;
-    row->beside = beyond;
-    row->seen = behind || touches;
+    row->beside.push_back({beyond, behind || touches});
   }
+  for (Row& row : rows.all()) row.seen = most_show_end(&row.beside);
 }
 
 /// How far a surface that falls away from a face leads outward for each metre that it falls, by
@@ -149,7 +163,6 @@ FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
   auto meeting = meeting_of(face, out_C, end, around, rows);
   if (meeting && lean_of(face, out_C, end, around, rows) > kMaxLean) meeting.reset();
   edge.meets = meeting.has_value();
-  if (edge.seen && !edge.meets) edge.turn = turning_edge(face, out_C, around, rows);
   if (meeting && *meeting < edge.at) {
     edge.std = std::hypot(edge.std, edge.at - *meeting);
     edge.at = *meeting;

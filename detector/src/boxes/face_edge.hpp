@@ -6,7 +6,6 @@
 #include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
 #include "boxes/seen_through_plane.hpp"
-#include "boxes/turning_edge.hpp"
 
 namespace quadrille {
 
@@ -26,8 +25,6 @@ struct FaceEdge {
   /// True if another surface leaves the face here, so that `at` is where the two would meet if the
   /// edge were sharp.
   bool meets = false;
-  /// The rounded edge beyond `at`, if there is one.
-  TurningEdge turn;
 };
 
 /// Finds the edge of a face from the last points of rows that run towards it. The edge is their

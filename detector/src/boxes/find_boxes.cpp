@@ -40,8 +40,8 @@ bool is_sound(const Detection& plane) {
 class BoxMaker {
  public:
   BoxMaker(const DirectionIndex& sight, const std::vector<Detection>& detections,
-           const std::vector<FlatPatch>& patches, int threads)
-      : sight_(sight), threads_(threads) {
+           const BoxHints& hints, int threads)
+      : sight_(sight), seeds_(hints.seeds), threads_(threads) {
     std::vector<const Detection*> small;
     for (const Detection& d : detections) {
       last_id_ = std::max(last_id_, d.id);
@@ -55,7 +55,7 @@ class BoxMaker {
     for (std::vector<Face>& of_plane : faces) {
       std::move(of_plane.begin(), of_plane.end(), std::back_inserter(faces_));
     }
-    add_drafts(patches);
+    add_drafts(hints.patches);
     finish_drafts();
   }
 
@@ -70,6 +70,7 @@ class BoxMaker {
     }
     begun_.assign(groups_.size(), 0);
     take_steps(this, threads_);
+    for (const BoxSeed& seed : seeds_) add(box_of_seed(seed));
     return std::move(boxes_);
   }
 
@@ -103,13 +104,18 @@ class BoxMaker {
   bool holds(int /*step*/, const Outcome& /*box*/) const { return true; }
   bool take(int step, Outcome box) {
     first_ = static_cast<std::size_t>(step) + 1;
+    return add(std::move(box));
+  }
+
+ private:
+  /// Numbers a box and adds it; false if there is none.
+  bool add(std::optional<Box> box) {
     if (!box || last_id_ == std::numeric_limits<int>::max()) return false;
     box->id = ++last_id_;
     boxes_.push_back(std::move(*box));
     return true;
   }
 
- private:
   /// Drafts the patches that no face covers, not even the draft of a patch before.
   void add_drafts(const std::vector<FlatPatch>& patches) {
     std::vector<std::optional<Face>> drafts(patches.size());
@@ -156,10 +162,14 @@ class BoxMaker {
   bool is_known(const FacePatch& patch) const {
     return is_known(patch.X_CP.translation(), patch.X_CP.linear().col(2));
   }
-
-  /// True if a face that was found before covers that point and faces almost the same way.
   bool is_known(const Eigen::Vector3d& middle_C, const Eigen::Vector3d& n_C) const {
-    return std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
+    return known_face(middle_C, n_C) != faces_.end();
+  }
+
+  /// The face found before that covers a point and faces almost the same way.
+  std::vector<Face>::const_iterator known_face(const Eigen::Vector3d& middle_C,
+                                               const Eigen::Vector3d& n_C) const {
+    return std::find_if(faces_.begin(), faces_.end(), [&](const Face& face) {
       return face.n_C.dot(n_C) > std::cos(2.0 * kMaxSkew) &&
              std::abs(face.height(middle_C)) < kRounding &&
              (middle_C - face.middle_C).norm() < face.radius;
@@ -194,6 +204,34 @@ class BoxMaker {
     return box;
   }
 
+  /// The box of those faces of a seed that are flat, free and meet at right angles, if there are
+  /// two at least.
+  std::optional<Box> box_of_seed(const BoxSeed& seed) const {
+    std::list<Face> found;  // The list keeps pointers to its elements valid.
+    std::vector<const Face*> faces;
+    for (const FlatPatch& patch : seed) {
+      std::optional<Face> face = face_of_seed(patch);
+      const auto meets = [&](const Face* other) {
+        return at_right_angles(*other, *face) && share_edge(*other, *face);
+      };
+      if (!face || !is_free(&*face) || !std::all_of(faces.begin(), faces.end(), meets)) continue;
+      faces.push_back(&found.emplace_back(std::move(*face)));
+    }
+    if (faces.size() < 2) return std::nullopt;
+    return measure_box(draft_of(faces, sight_), planes_);
+  }
+
+  std::optional<Face> face_of_seed(const FlatPatch& patch) const {
+    std::optional<Face> face = unbent_face_at(patch, sight_);
+    if (!face) return face;
+    const auto known = known_face(face->middle_C, face->n_C);
+    if (known != faces_.end()) {
+      face->id = known->id;
+      face->score = known->score;
+    }
+    return face;
+  }
+
   /// A box completed with faces that are not among the given ones; nullopt if there are none or
   /// they make no box.
   /// @param R_CA  axes of the given faces
@@ -212,6 +250,7 @@ class BoxMaker {
   }
 
   const DirectionIndex& sight_;
+  const std::vector<BoxSeed>& seeds_;
   int threads_;
   std::vector<const Detection*> planes_;
   std::vector<Face> faces_;
@@ -227,14 +266,14 @@ class BoxMaker {
 }  // namespace
 
 std::vector<Box> find_boxes(DirectionsOnDemand& directions,
-                            const std::vector<Detection>& detections,
-                            const std::vector<FlatPatch>& patches, int threads) {
+                            const std::vector<Detection>& detections, const BoxHints& hints,
+                            int threads) {
   const bool has_plane = std::any_of(detections.begin(), detections.end(), [](const Detection& d) {
     return d.type == QuadricType::kPlane;
   });
   // Without a face there is no box, and the maker indexes the whole cloud before it looks for one.
-  if (!has_plane && patches.empty()) return {};
-  return BoxMaker(directions.index(), detections, patches, threads).make();
+  if (!has_plane && hints.patches.empty() && hints.seeds.empty()) return {};
+  return BoxMaker(directions.index(), detections, hints, threads).make();
 }
 
 std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>& detections) {

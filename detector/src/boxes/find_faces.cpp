@@ -83,6 +83,15 @@ std::optional<Piece> grown(const Piece& piece, const Eigen::Matrix3d& R_CL,
   return best;
 }
 
+/// The largest piece at a patch, in the plane that is fitted to it.
+/// @param sigma  noise of the points along the patch's normal [m]
+std::optional<Piece> piece_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
+  const PieceFinder finder(sight, kMaxNoise * sigma);
+  const std::vector<Piece> pieces = finder.pieces_of(patch, sigma);
+  if (pieces.empty()) return std::nullopt;
+  return finder.refitted(pieces.front(), patch.X_CP.linear());
+}
+
 /// The face that grows from a patch; nullopt if there is none, or if it bends.
 std::optional<Face> flat_face(const FacePatch& patch, double sigma, const DirectionIndex& sight,
                               std::size_t max_points) {
@@ -98,11 +107,15 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
 }  // namespace
 
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
-  const PieceFinder finder(sight, kMaxNoise * sigma);
-  const std::vector<Piece> pieces = finder.pieces_of(patch, sigma);
-  if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = finder.refitted(pieces.front(), patch.X_CP.linear());
+  std::optional<Piece> piece = piece_at(patch, sigma, sight);
   if (!piece) return std::nullopt;
+  return std::move(piece->face);
+}
+
+std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
+  std::optional<Piece> piece = piece_at(flat.patch, flat.sigma, sight);
+  if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
+  piece->face.is_patch = true;
   return std::move(piece->face);
 }
 

@@ -14,6 +14,9 @@ namespace quadrille {
 /// @param sigma  noise of the points along the patch's normal [m]
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
+/// The same for a patch that may bend; nullopt if it bends too much for a face.
+std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight);
+
 /// The largest connected piece of flat surface at a patch, which has grown as far as its plane
 /// explains points; nullopt if there is none, or if it bends. It has only as many of its points as
 /// tell so.

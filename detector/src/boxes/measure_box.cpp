@@ -7,7 +7,7 @@
 #include "boxes/box_axes.hpp"
 #include "boxes/box_draft.hpp"
 #include "boxes/box_ends.hpp"
-#include "boxes/edge_radius.hpp"
+#include "boxes/rounded_box.hpp"
 #include "boxes/sight_lines.hpp"
 
 namespace quadrille {
@@ -69,21 +69,13 @@ bool has_patch(const BoxDraft& draft) {
                      [](const Face* face) { return face->is_patch; });
 }
 
-/// Distance between a point and the surface of a box whose edges and corners are rounded [m].
-double distance_to_surface(const Eigen::AlignedBox3d& box_A, double radius,
-                           const Eigen::Vector3d& p_A) {
-  const Eigen::Vector3d beyond =
-      (p_A - box_A.center()).cwiseAbs() - 0.5 * box_A.sizes() + Eigen::Vector3d::Constant(radius);
-  return std::abs(beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - radius);
-}
-
 /// True if most of the points in the box lie on its faces, on its other sides or on the edges
 /// between them: the third side of a box may have too few points for a face. On a round body they
 /// lie between two faces that only touch it.
-bool on_faces(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A, double radius) {
+bool on_faces(const BoxDraft& draft, const RoundedBox& box) {
   const double tolerance = draft.max_tolerance();
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(tolerance);
-  const Eigen::AlignedBox3d around_A(box_A.min() - margin, box_A.max() + margin);
+  const Eigen::AlignedBox3d around_A(box.box_A.min() - margin, box.box_A.max() + margin);
   int in_box = 0, on = 0;
   for (const Eigen::Vector3d& p_C : draft.around_C) {
     const Eigen::Vector3d p_A = draft.R_CA.transpose() * p_C;
@@ -92,23 +84,23 @@ bool on_faces(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A, double ra
     on += std::any_of(
               draft.faces.begin(), draft.faces.end(),
               [&](const Face* face) { return std::abs(face->height(p_C)) <= face->tolerance(); }) ||
-          distance_to_surface(box_A, radius, p_A) <= tolerance;
+          std::abs(box.distance(p_A)) <= tolerance;
   }
   return on > kMinOnFaces * in_box;
 }
 
-bool is_solid(const BoxDraft& draft, const BoxEnds& ends, double radius) {
-  const Eigen::AlignedBox3d box_A = seen_part(ends);
+bool is_solid(const BoxDraft& draft, const SeenEnds& seen) {
+  const Eigen::AlignedBox3d box_A = seen_part(seen.ends);
   const Eigen::Vector3d size = box_A.sizes();
   if (size.maxCoeff() > kMaxSide) return false;
   const bool alone = draft.faces.size() == 1;
   // The depth behind a single face is not seen, so its axis is skipped.
   for (int axis = alone ? 1 : 0; axis < 3; ++axis) {
-    const double doubt = std::hypot(ends[axis][0].std, ends[axis][1].std);
+    const double doubt = std::hypot(seen.ends[axis][0].std, seen.ends[axis][1].std);
     if (doubt > kMaxDoubt * size[axis]) return false;
   }
   return alone || (all_filled(draft, box_A) && nothing_within(draft, box_A) &&
-                   (!has_patch(draft) || on_faces(draft, box_A, radius)));
+                   (!has_patch(draft) || on_faces(draft, {box_A, seen.radius})));
 }
 
 /// True if the outline of a single face was seen all around and a plane parallel to it lies below:
@@ -187,10 +179,9 @@ bool is_rectangular(const BoxDraft& draft) {
 }
 
 std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
-  const double radius = edge_radius(draft);
-  const BoxEnds seen = find_ends(draft, planes, radius);
-  if (!is_solid(draft, seen, radius)) return std::nullopt;
-  const BoxEnds ends = bounded(draft, planes, seen);
+  const SeenEnds seen = find_ends(draft, planes);
+  if (!is_solid(draft, seen)) return std::nullopt;
+  const BoxEnds ends = bounded(draft, planes, seen.ends);
   if (draft.faces.size() == 1 && !is_top(ends)) return std::nullopt;
   return box_of(draft, ends);
 }

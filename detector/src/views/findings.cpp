@@ -12,8 +12,8 @@
 #include "bodies/common_axis.hpp"
 #include "bodies/find_bodies.hpp"
 #include "bodies/walls.hpp"
+#include "boxes/box_hints.hpp"
 #include "boxes/find_boxes.hpp"
-#include "boxes/flat_patches.hpp"
 #include "boxes/join_boxes.hpp"
 #include "boxes/numbered_boxes.hpp"
 #include "quadrille/detector/parallel_for.hpp"
@@ -229,9 +229,11 @@ std::size_t count_points(const Scene& scene) {
 }
 
 /// Finds boxes in each view, in which all detections are known, and joins them.
+/// @param owner        for each sample the id of the detection on which it lies
 /// @param unexplained  nonzero for samples that lie on no detection
 std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& detections,
-                          const Mask& unexplained, const DetectorOptions& options) {
+                          const std::vector<int>& owner, const Mask& unexplained,
+                          const DetectorOptions& options) {
   const bool seeks_faces = lets_pass(options.only, QuadricType::kPlane) &&
                            lets_pass(options.report, QuadricType::kPlane);
   std::vector<std::vector<Box>> of_views;
@@ -245,9 +247,11 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
     for (int i = 0; i < scene.finest.size(); ++i) {
       if (scene.finest.view_of(i) != v) free[i] = 0;
     }
-    std::vector<FlatPatch> patches;
-    if (seeks_faces) patches = find_flat_patches(scene.finest, options.planes, free);
-    of_views.push_back(find_boxes(*view.directions, detections, patches, options.threads));
+    BoxHints hints;
+    if (seeks_faces) {
+      hints = find_box_hints(scene.finest, options.planes, free, detections, owner, v);
+    }
+    of_views.push_back(find_boxes(*view.directions, detections, hints, options.threads));
   }
   return join_boxes(std::move(of_views));
 }
@@ -284,7 +288,7 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
     owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);
     unexplained.push_back(k < 0);
   }
-  findings.boxes = boxes_of(scene, findings.detections, unexplained, options);
+  findings.boxes = boxes_of(scene, findings.detections, owner, unexplained, options);
   clock.end("boxes");
   const bool all_types = options.only.empty() && options.report.empty();
   PlacesOnPlanes places;

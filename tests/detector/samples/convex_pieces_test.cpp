@@ -1,5 +1,5 @@
 // Touching things come apart at the crease between them; single ones stay whole.
-#include "bodies/convex_pieces.hpp"
+#include "samples/convex_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>

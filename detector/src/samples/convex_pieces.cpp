@@ -1,4 +1,4 @@
-#include "bodies/convex_pieces.hpp"
+#include "samples/convex_pieces.hpp"
 
 #include <algorithm>
 #include <cstddef>

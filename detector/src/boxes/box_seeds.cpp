@@ -1,0 +1,161 @@
+#include "boxes/box_seeds.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "boxes/find_faces.hpp"
+#include "samples/convex_pieces.hpp"
+#include "surfaces/surface.hpp"
+
+namespace quadrille {
+namespace {
+
+// A piece of fewer samples may be noise, or points mixed from two surfaces.
+constexpr std::size_t kMinSamples = 40;
+// Least number of samples of a side, which are enough for a plane.
+constexpr std::size_t kMinSideSamples = 8;
+// A sample belongs to a side if its normal is within this angle of the side's [rad]: faces bulge.
+constexpr double kMaxTilt = 0.5;
+// Least share of a piece's samples that belong to a side. On a cylinder that stands on end only two
+// thirds of the mantle's normals do, at the best of all turns.
+constexpr double kMinShare = 0.7;
+// The sides and the axes are found in turn, so often.
+constexpr int kRounds = 5;
+// So many normals are tried for the first axis.
+constexpr std::size_t kTried = 64;
+// A normal counts for the turn about the first axis if it is more than this far from it, as the
+// squared sine of the angle.
+constexpr double kMinAcross = 0.5;
+
+/// For each axis the side that faces the sensor, and its samples: of two opposite sides a view
+/// shows one.
+struct Side {
+  double sign = 1.0;
+  std::vector<int> samples;
+};
+using Sides = std::array<Side, 3>;
+
+/// Mean of the normals about that normal which has most others about it.
+Eigen::Vector3d main_normal(const SurfaceSamples& samples, const std::vector<int>& piece) {
+  const auto least = static_cast<float>(std::cos(0.5 * kMaxTilt));
+  const std::size_t stride = 1 + piece.size() / kTried;
+  int most = 0;
+  Eigen::Vector3f best = samples.n[piece.front()];
+  for (std::size_t k = 0; k < piece.size(); k += stride) {
+    int about = 0;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (const int i : piece) {
+      if (samples.n[i].dot(samples.n[piece[k]]) < least) continue;
+      ++about;
+      sum += samples.n[i];
+    }
+    if (about > most) {
+      most = about;
+      best = sum;
+    }
+  }
+  return best.cast<double>().normalized();
+}
+
+/// Axes of which the first is given. They are turned about it so that the other normals are nearest
+/// to them: four times an angle is the same for all four directions of two axes.
+Eigen::Matrix3d axes_about(const SurfaceSamples& samples, const std::vector<int>& piece,
+                           const Eigen::Vector3d& first) {
+  const Eigen::Vector3d e1 = first.unitOrthogonal(), e2 = first.cross(e1);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const int i : piece) {
+    const Eigen::Vector3d n = samples.n[i].cast<double>();
+    const Eigen::Vector2d across(n.dot(e1), n.dot(e2));
+    if (across.squaredNorm() < kMinAcross) continue;
+    const double angle = 4.0 * std::atan2(across.y(), across.x());
+    sum += across.squaredNorm() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  }
+  const double turn = 0.25 * std::atan2(sum.y(), sum.x());
+  Eigen::Matrix3d R;
+  R.col(0) = first;
+  R.col(1) = std::cos(turn) * e1 + std::sin(turn) * e2;
+  R.col(2) = R.col(0).cross(R.col(1));
+  return R;
+}
+
+Sides sides_of(const SurfaceSamples& samples, const std::vector<int>& piece,
+               const Eigen::Matrix3d& R) {
+  std::array<std::array<std::vector<int>, 2>, 3> all;
+  for (const int i : piece) {
+    const Eigen::Vector3d n = R.transpose() * samples.n[i].cast<double>();
+    Eigen::Index axis = 0;
+    if (n.cwiseAbs().maxCoeff(&axis) > std::cos(kMaxTilt)) all[axis][n[axis] > 0.0].push_back(i);
+  }
+  Sides sides;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool up = all[axis][1].size() > all[axis][0].size();
+    sides[axis] = {up ? 1.0 : -1.0, std::move(all[axis][up])};
+  }
+  return sides;
+}
+
+/// The right-angled axes that are nearest to the normals of the sides (the polar factor of their
+/// sums).
+Eigen::Matrix3d axes_of(const SurfaceSamples& samples, const Sides& sides,
+                        const Eigen::Matrix3d& R) {
+  // An axis whose side is not seen follows from the others.
+  Eigen::Matrix3d S = 1e-3 * R;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int i : sides[axis].samples) {
+      S.col(axis) += sides[axis].sign * samples.n[i].cast<double>();
+    }
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(S, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d turned = svd.matrixU() * svd.matrixV().transpose();
+  return turned.determinant() > 0.0 ? turned : R;
+}
+
+FlatPatch patch_of(const SurfaceSamples& samples, const Side& side, const Eigen::Matrix3d& R,
+                   int axis) {
+  std::vector<Eigen::Vector3d> points_C;
+  for (const int i : side.samples) points_C.push_back(samples.raw[i].cast<double>());
+  Eigen::Matrix3d R_CL;
+  R_CL.col(2) = side.sign * R.col(axis);
+  R_CL.col(0) = R.col((axis + 1) % 3);
+  R_CL.col(1) = R_CL.col(2).cross(R_CL.col(0));
+  return {patch_around(points_C, R_CL), mean_sigma(samples, side.samples)};
+}
+
+std::optional<BoxSeed> seed_of(const SurfaceSamples& samples, const std::vector<int>& piece) {
+  if (piece.size() < kMinSamples) return std::nullopt;
+  Eigen::Matrix3d R = axes_about(samples, piece, main_normal(samples, piece));
+  Sides sides = sides_of(samples, piece, R);
+  for (int round = 0; round < kRounds; ++round) {
+    R = axes_of(samples, sides, R);
+    sides = sides_of(samples, piece, R);
+  }
+  std::size_t on_sides = 0;
+  BoxSeed seed;
+  for (int axis = 0; axis < 3; ++axis) {
+    on_sides += sides[axis].samples.size();
+    if (sides[axis].samples.size() < kMinSideSamples) continue;
+    seed.push_back(patch_of(samples, sides[axis], R, axis));
+  }
+  const bool is_box = static_cast<double>(on_sides) > kMinShare * static_cast<double>(piece.size());
+  return is_box && seed.size() >= 2 ? std::optional(std::move(seed)) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& free) {
+  std::vector<BoxSeed> seeds;
+  for (const std::vector<int>& connected : connected_pieces(samples, free)) {
+    if (connected.size() < kMinSamples) break;
+    for (const std::vector<int>& piece : convex_pieces(samples, connected)) {
+      if (auto seed = seed_of(samples, piece)) seeds.push_back(std::move(*seed));
+    }
+  }
+  return seeds;
+}
+
+}  // namespace quadrille
