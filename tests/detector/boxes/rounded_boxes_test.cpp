@@ -7,9 +7,22 @@
 namespace quadrille {
 namespace {
 
+/// A face of a box that bulges: the part of a sphere above a rectangle in the plane z = 0, through
+/// its corners.
+/// @param bulge  height of its middle over the rectangle [m]; 0 for a flat face
+test::Patch bulging_face(const Eigen::Isometry3d& X_CP, double width, double height, double bulge) {
+  if (bulge == 0.0) return test::rectangle(X_CP, width, height);
+  const double half_diagonal = 0.5 * std::hypot(width, height);
+  const double radius = (half_diagonal * half_diagonal + bulge * bulge) / (2.0 * bulge);
+  test::Patch face = test::sphere(X_CP * test::translation(0, 0, bulge - radius), radius);
+  face.box_B = {Eigen::Vector3d(-0.5 * width, -0.5 * height, 0.0),
+                Eigen::Vector3d(0.5 * width, 0.5 * height, radius)};
+  return face;
+}
+
 /// A box of which each edge is a quarter of a cylinder and each corner an eighth of a sphere.
 std::vector<test::Patch> rounded_box(const Eigen::Isometry3d& X_CB, const Eigen::Vector3d& size,
-                                     double radius) {
+                                     double radius, double bulge = 0.0) {
   const Eigen::Vector3d inner = size - Eigen::Vector3d::Constant(2.0 * radius);
   std::vector<test::Patch> patches;
   for (int axis = 0; axis < 3; ++axis) {
@@ -18,8 +31,11 @@ std::vector<test::Patch> rounded_box(const Eigen::Isometry3d& X_CB, const Eigen:
     X_BA.linear() << Eigen::Vector3d::Unit(u), Eigen::Vector3d::Unit(v),
         Eigen::Vector3d::Unit(axis);
     for (const double side : {-0.5, 0.5}) {
-      patches.push_back(test::rectangle(X_CB * X_BA * test::translation(0, 0, side * size[axis]),
-                                        inner[u], inner[v]));
+      const Eigen::Isometry3d turn(
+          Eigen::AngleAxisd(side < 0.0 ? M_PI : 0.0, Eigen::Vector3d::UnitX()));
+      patches.push_back(
+          bulging_face(X_CB * X_BA * test::translation(0, 0, side * size[axis]) * turn, inner[u],
+                       inner[v], bulge));
       for (const double other : {-0.5, 0.5}) {
         patches.push_back(
             test::mantle(X_CB * X_BA * test::translation(side * inner[u], other * inner[v], 0),
@@ -54,6 +70,31 @@ TEST_CASE("a box with rounded edges is as large as it is, not as its flat parts"
       CHECK(error.cwiseAbs().maxCoeff() < 0.004);
     }
   }
+}
+
+TEST_CASE("a small box with rounded edges and bulging faces is found with its size", "[boxes]") {
+  const Eigen::Isometry3d X_CW = test::world_seen_from({0.0, -0.5, 0.45});
+  constexpr double kBulge = 0.0025, kRadius = 0.009;
+  const Eigen::Vector3d size(0.085, 0.032, 0.07);
+  int found = 0;
+  for (const double yaw : {0.4, 0.8, 1.2, 2.0, 2.5}) {
+    const Eigen::Isometry3d X_CB =
+        X_CW * test::translation(0, 0, 0.5 * size.z() + kBulge) *
+        Eigen::Isometry3d(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
+    std::vector<test::Patch> patches = rounded_box(X_CB, size, kRadius, kBulge);
+    patches.push_back(test::rectangle(X_CW, 1.5, 1.2));
+    const DetectionResult result = detect(test::render(patches, {640, 480, 1.0 / 600.0, 0.0003}));
+    INFO("turned by " << yaw);
+    for (const Box& box : result.boxes) {
+      ++found;
+      const Eigen::Matrix3d turn = (box.X_CB.linear().transpose() * X_CB.linear()).cwiseAbs();
+      const Eigen::Vector3d whole = size.array() + 2.0 * kBulge;
+      const Eigen::Vector3d error = box.size - turn.array().round().matrix() * whole;
+      INFO("error " << 1000.0 * error.transpose() << " mm");
+      CHECK(error.cwiseAbs().maxCoeff() < 0.006);
+    }
+  }
+  CHECK(found == 5);
 }
 
 }  // namespace
