@@ -1,19 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "planes/planes.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "search/candidate.hpp"
-#include "surfaces/acceptance.hpp"
-#include "surfaces/claims.hpp"
-#include "surfaces/extend.hpp"
+#include "surfaces/candidate_judge.hpp"
 #include "surfaces/pending.hpp"
 #include "surfaces/trial.hpp"
-#include "surfaces/weigh.hpp"
 
 namespace quadrille {
 
@@ -45,44 +40,18 @@ class Aggregation {
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
-  /// An accepted surface, as the evidence for others sees it: its quadric, and the middle and size
-  /// of its region.
-  struct Place {
-    Quadric Q;
-    Normalisation local;
-  };
-  /// The surfaces that were accepted so far, as far as the trial of a candidate depends on them.
-  struct Accepted {
-    Claims claims;
-    /// One for each surface.
-    std::vector<Place> places;
-  };
   class Offer;
 
-  Trial try_out(PendingCandidate* pending, const Acceptance& asked, const Accepted& accepted) const;
-  bool is_promising(PendingCandidate* pending, const Acceptance& asked, const Accepted& accepted,
-                    Trial* trial) const;
-  double first_confidence(PendingCandidate* pending, double asked, const Accepted& accepted) const;
-  bool is_acceptable(const Surface& surface, const Acceptance& asked) const;
-  std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   std::vector<Surface> joined(Surface surface);
   void accept(Surface surface);
-  void weigh(Surface* surface, const Accepted& accepted, double asked = 0.0) const;
-  double asked_of(const Surface& surface, const Acceptance& asked) const;
-  EvidenceSource source(const Accepted& accepted) const {
-    return {samples_, blocks_, context_, &accepted.claims};
-  }
-  const Mask& around(std::span<const int> region, const Accepted& accepted) const;
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
-  SceneContext context_;
   TrialObserver observer_;
   int threads_;
-  SampleBlocks blocks_;
-  Extender extender_;
-  Accepted accepted_;
+  CandidateJudge judge_;
+  AcceptedSurfaces accepted_;
   std::vector<PendingCandidate> pending_;
   std::vector<Surface> surfaces_;
 };
