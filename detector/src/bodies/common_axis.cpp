@@ -152,16 +152,9 @@ std::vector<CommonAxis> fit_common_axes(std::span<const Detection> detections,
                                         std::vector<LastFit>* fits) {
   std::vector<CommonAxis> axes;
   std::vector<char> taken(fits->size(), 0);
-  for (const auto& [a, b] : perhaps_one_centre(detections, *fits)) {
-    if (taken[a] || taken[b]) continue;
-    std::vector<Member> sides;
-    for (const int k : {a, b}) {
-      sides.push_back(member_of(k, (*fits)[k], shows_inside(detections[k]), true));
-    }
-    const std::optional<CoaxialFit> joint = fit_one_centre(sides);
-    if (!joint) continue;
-    axes.push_back(set_fits(sides, *joint, fits));
-    taken[a] = taken[b] = 1;
+  for (const CentredWall& wall : find_centred_walls(detections, *fits)) {
+    for (const Member& side : wall.sides) taken[side.index] = 1;
+    axes.push_back(set_fits(wall.sides, wall.fit, fits));
   }
   for (std::vector<Member>& members : find_members(detections, *fits, taken)) {
     std::optional<CoaxialFit> joint = fit_members(members);

@@ -19,8 +19,8 @@ struct CommonAxis {
 /// Fits the parts of each body of revolution once more, about one axis; see fit_coaxial(). The
 /// parts are those that share_axis() puts together, and others whose axes are somewhat farther off,
 /// as noise may turn them. Spheres share a centre with the other side of their wall, see
-/// fit_one_centre(), and take no other part: they show their centres without help, and the outer
-/// wall of a bowl whose inner wall passes for a cone would follow the wrong axis.
+/// find_centred_walls(), and take no other part: they show their centres without help, and the
+/// outer wall of a bowl whose inner wall passes for a cone would follow the wrong axis.
 ///
 /// Alone, a small part says little about its axis, and the radius of a part of whose section little
 /// is seen depends on where its axis is. The near and the far wall of a tapered cup alone pass for

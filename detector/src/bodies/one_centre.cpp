@@ -1,8 +1,11 @@
 #include "bodies/one_centre.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "bodies/axial_part.hpp"
 #include "fit/family_spec.hpp"
@@ -38,8 +41,7 @@ CoaxialPart sphere_about(const Member& side, const Eigen::Vector3d& centre_C) {
   return part;
 }
 
-}  // namespace
-
+/// Numbers of surfaces that may be the two sides of one wall, the outer one first.
 std::vector<std::pair<int, int>> perhaps_one_centre(std::span<const Detection> detections,
                                                     const std::vector<LastFit>& fits) {
   const auto part_of = [&](std::size_t k, bool inside) -> std::optional<AxialPart> {
@@ -65,7 +67,15 @@ std::vector<std::pair<int, int>> perhaps_one_centre(std::span<const Detection> d
   return pairs;
 }
 
-std::optional<CoaxialFit> fit_one_centre(const std::vector<Member>& sides) {
+/// A wall that may be one, and by how much the criterion prefers one centre to two.
+struct PossibleWall {
+  CentredWall wall;
+  double gain;
+};
+
+/// @return nullopt if their residuals grow by more than chance lets them, or if a side that was no
+///   sphere alone fits better as what it was
+std::optional<PossibleWall> fit_one_centre(std::vector<Member> sides) {
   const Eigen::Vector3d centre_C = mean_centre(sides);
   std::vector<CoaxialPart> parts;
   parts.reserve(sides.size());
@@ -83,7 +93,45 @@ std::optional<CoaxialFit> fit_one_centre(const std::vector<Member>& sides) {
     gain += bic_of(sides[i], alone, 0) - bic_of(sides[i], now, i > 0 ? kCentre : 0);
   }
   if (!(gain > 0.0) || !is_chance(growth, fewer)) return std::nullopt;
-  return std::move(joint->fit);
+  return PossibleWall{{std::move(sides), std::move(joint->fit)}, gain};
+}
+
+/// True for each of these walls that shares no surface with one of greater gain that is kept.
+std::vector<char> kept_walls(const std::vector<PossibleWall>& walls, std::size_t surfaces) {
+  std::vector<std::size_t> best_first(walls.size());
+  std::iota(best_first.begin(), best_first.end(), std::size_t{0});
+  std::stable_sort(best_first.begin(), best_first.end(),
+                   [&](std::size_t a, std::size_t b) { return walls[a].gain > walls[b].gain; });
+  std::vector<char> taken(surfaces, 0), kept(walls.size(), 0);
+  for (const std::size_t k : best_first) {
+    const std::vector<Member>& sides = walls[k].wall.sides;
+    const auto is_taken = [&](const Member& side) { return taken[side.index] != 0; };
+    if (std::any_of(sides.begin(), sides.end(), is_taken)) continue;
+    for (const Member& side : sides) taken[side.index] = 1;
+    kept[k] = 1;
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<CentredWall> find_centred_walls(std::span<const Detection> detections,
+                                            const std::vector<LastFit>& fits) {
+  std::vector<PossibleWall> walls;
+  for (const auto& [a, b] : perhaps_one_centre(detections, fits)) {
+    std::vector<Member> sides;
+    for (const int k : {a, b}) {
+      sides.push_back(member_of(k, fits[k], shows_inside(detections[k]), true));
+    }
+    std::optional<PossibleWall> wall = fit_one_centre(std::move(sides));
+    if (wall) walls.push_back(std::move(*wall));
+  }
+  const std::vector<char> kept = kept_walls(walls, fits.size());
+  std::vector<CentredWall> result;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (kept[k]) result.push_back(std::move(walls[k].wall));
+  }
+  return result;
 }
 
 }  // namespace quadrille

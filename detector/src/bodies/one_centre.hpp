@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "bodies/joint_member.hpp"
@@ -12,16 +10,21 @@
 
 namespace quadrille {
 
-/// Numbers of surfaces that may be the two sides of one round wall, the outer one first: at least
-/// one is a sphere, one was seen from outside and the other from inside, and they share an axis
-/// within the tolerance for parts whose place is not well known.
-std::vector<std::pair<int, int>> perhaps_one_centre(std::span<const Detection> detections,
-                                                    const std::vector<LastFit>& fits);
+/// The two sides of a wall as spheres about one centre, the outer one first.
+struct CentredWall {
+  std::vector<Member> sides;
+  CoaxialFit fit;
+};
 
-/// Fits the two sides of a wall, such as those of a bowl, as spheres about one centre. A small
-/// piece of a sphere says little about its radius and centre alone.
-/// @return nullopt if their residuals grow by more than chance lets them, or if a side that was no
-///   sphere alone fits better as what it was
-std::optional<CoaxialFit> fit_one_centre(const std::vector<Member>& sides);
+/// Finds the surfaces that are the two sides of a round wall, such as those of a bowl, and fits
+/// them as spheres about one centre. A small piece of a sphere says little about its radius and
+/// centre alone. At least one side is a sphere, one was seen from outside and the other from
+/// inside, and they share an axis within kPerhapsOneAxis. Their residuals grow by no more than
+/// chance lets them, and a side that was no sphere alone fits no better as what it was. If a
+/// surface may be a side of several walls, it is one of that for which one centre is most likely,
+/// by the Bayesian information criterion.
+/// @param fits  must outlive the result
+std::vector<CentredWall> find_centred_walls(std::span<const Detection> detections,
+                                            const std::vector<LastFit>& fits);
 
 }  // namespace quadrille
