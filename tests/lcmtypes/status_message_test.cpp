@@ -21,6 +21,7 @@ TEST_CASE("the status of a detector or a planner survives its message", "[bus][s
   CHECK(detector.remembered_views == 5);
   CHECK(detector.pose_correction == 0.003);
   CHECK(detector.rejected_views[0].name == "cut_short");
+  CHECK(detector.rejected_knowledge[0].name == "bad_value");
   CHECK(detector.unplaced_views[0].count == 6);
   const auto& planner = std::get<planner_status_t>(other);
   CHECK(planner.unpaired_quadrics == 9);

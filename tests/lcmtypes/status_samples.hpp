@@ -17,6 +17,8 @@ inline detector_status_t make_detector_status() {
   m.pose_correction = 0.003;
   m.rejected_views = {{"cut_short", 8}};
   m.num_rejected_views = 1;
+  m.rejected_knowledge = {{"bad_value", 3}};
+  m.num_rejected_knowledge = 1;
   m.untracked = {{"no_pose", 5}};
   m.num_untracked = 1;
   m.unplaced_views = {{"old_pose", 6}};

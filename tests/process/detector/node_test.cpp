@@ -1,10 +1,13 @@
 #include "process/detector/node.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "process/detector/command_line.hpp"
 #include "process/detector/detector_process.hpp"
@@ -162,6 +165,27 @@ TEST_CASE("a pose that is garbage is refused and counted", "[process][pose][host
   process.take("CAMERA", Bytes(50));
   CHECK(process.node.summary().find("poses in: 1, 1 refused (unknown_type 1)") !=
         std::string::npos);
+}
+
+TEST_CASE("what is refused about the robot is no refused cloud", "[process][robot][hostile]") {
+  Process process{DetectorSettings{}};
+  process.take("ROBOT", Bytes(20));
+  process.take("FORGET", Bytes(3));
+  process.node.publish_status({});
+  CHECK(process.status.num_rejected == 0);
+  int refused = 0;
+  for (const count_t& entry : process.status.rejected_knowledge) {
+    refused += static_cast<int>(entry.count);
+  }
+  CHECK(refused == 2);
+  const std::vector<std::string> oddities = process.node.find_oddities();
+  CHECK(std::any_of(oddities.begin(), oddities.end(), [](const std::string& oddity) {
+    return oddity.find("on the robot") != std::string::npos;
+  }));
+
+  process.take("POINT_CLOUD", Bytes(3));
+  process.node.publish_status({});
+  CHECK(process.status.num_rejected == 1);
 }
 
 TEST_CASE("what the process is to find alone it reports alone, for a planner may listen",

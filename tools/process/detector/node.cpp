@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -17,7 +16,6 @@
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
-#include "quadrille/bus/scene_messages.hpp"
 #include "quadrille/bus/status_message.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -93,91 +91,6 @@ std::vector<OutChannel> DetectorNode::out_channels() const {
   return cloud_channels_.out_channels();
 }
 
-std::optional<Job> DetectorNode::receive(const std::string& channel,
-                                         std::span<const std::byte> bytes) {
-  if (cloud_channels_.matches(channel)) return receive_cloud(channel, bytes);
-  if (channel == settings_.pose_channel) {
-    const std::lock_guard lock(mutex_);
-    posed_clouds_.receive_pose(bytes, &refusals_);
-  }
-  if (channel == settings_.robot_channel) {
-    const std::lock_guard lock(mutex_);
-    robot_.receive(channel, bytes, &refusals_);
-  }
-  if (channel == settings_.forget_channel) return receive_forget(channel, bytes);
-  if (const int camera = posed_views_.camera_of(channel)) return receive_view(camera, bytes);
-  const std::lock_guard lock(mutex_);
-  posed_views_.receive_pose(channel, bytes, &refusals_);
-  return std::nullopt;
-}
-
-std::optional<Job> DetectorNode::receive_forget(const std::string& channel,
-                                                std::span<const std::byte> bytes) {
-  auto decoded = bus::decode_forget(bytes);
-  const std::lock_guard lock(mutex_);
-  const auto message = refusals_.accept(channel, std::move(decoded));
-  if (!message || !settings_.remembers()) return std::nullopt;
-  return forgetting_job(
-      channel, *message, [this](const forget_t& what) { forget(what); },
-      [this, channel](const bus::Rejection& rejection) {
-        const std::lock_guard lock(mutex_);
-        refusals_.add(channel, rejection);
-      });
-}
-
-void DetectorNode::forget(const forget_t& message) {
-  forgotten_.set(message.utime);
-  if (const auto region = region_of(message, placement_ ? &*placement_ : nullptr, frame_)) {
-    lasting_.forget(region->X_WR, region->box_R);
-  } else {
-    lasting_.forget();
-  }
-  const std::lock_guard lock(mutex_);
-  counts_.remembered_views = static_cast<std::int64_t>(lasting_.size());
-}
-
-std::vector<Job> DetectorNode::find_due_jobs(Time now) {
-  const std::lock_guard lock(mutex_);
-  std::vector<Job> jobs = posed_clouds_.take_due(now);
-  posed_views_.take_due(now, &jobs);
-  return jobs;
-}
-
-std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
-                                               std::span<const std::byte> bytes) {
-  const TimePoint now = std::chrono::steady_clock::now();
-  auto decoded = decode_cloud(bytes, settings_.frames);
-  const std::lock_guard lock(mutex_);
-  ++counts_.received;
-  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  auto cloud = refusals_.accept(channel, std::move(decoded));
-  if (!cloud) return std::nullopt;
-  if (const auto rejection = cloud_channels_.refuse(channel, now)) {
-    refusals_.add(channel, *rejection);
-    return std::nullopt;
-  }
-  ++counts_.decoded;
-  stages_.add("decode", bus::ms_since(now));
-  gaps_.add(channel + '\n' + cloud->cloud.frame, cloud->seq);
-  const auto shared = std::make_shared<const bus::CloudMessage>(*std::move(cloud));
-  return posed_clouds_.add(shared->utime, memory_of(shared->cloud),
-                           [this, channel, shared, now](const CameraPose& pose) {
-                             return Job{shared->utime,
-                                        [this, channel, shared, pose, now] {
-                                          detect_and_publish(channel, *shared, pose, now);
-                                        },
-                                        {},
-                                        channel};
-                           });
-}
-
-std::optional<Job> DetectorNode::receive_view(int camera, std::span<const std::byte> bytes) {
-  auto decoded = decode_cloud(bytes, settings_.frames);
-  const std::lock_guard lock(mutex_);
-  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  return posed_views_.add(camera, std::move(decoded));
-}
-
 /// Detects in a cloud and in what others showed before it, and remembers it.
 /// @param cloud_K  the cloud in the camera's frame, without points on the robot
 DetectionResult DetectorNode::detect_lasting(const bus::CloudMessage& cloud,
@@ -198,7 +111,7 @@ void DetectorNode::remember_view(int camera, const bus::CloudMessage& cloud,
   std::optional<RobotShapes> robot_K;
   {
     const std::lock_guard lock(mutex_);
-    robot_K = robot_.at_view(cloud.utime, *pose.X_WK, settings_.robot_channel, &refusals_);
+    robot_K = robot_.at_view(cloud.utime, *pose.X_WK, settings_.robot_channel, &refused_knowledge_);
   }
   if (!robot_K) return;
   const Placement placement = place(settings_.frames, pose);

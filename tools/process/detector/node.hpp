@@ -92,7 +92,8 @@ class DetectorNode : public Node {
   /// The clouds of further cameras.
   PosedViews posed_views_;
   SequenceGaps gaps_;
-  Refusals refusals_;
+  /// Refused clouds and poses, and messages on the robot and what to forget.
+  Refusals refusals_, refused_knowledge_;
   CloudChannels cloud_channels_;
   RobotHistory robot_;
   Stages stages_{{"decode", "wait", "detect", "quadrics"}};

@@ -25,7 +25,9 @@ std::string to_exposition(const detector_status_t& status, const DetectorSetting
   out.add_counter("clouds_failed", "Clouds on which the detection failed, also of further cameras.",
                   status.failed);
   out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
-  out.add_counters("messages_refused", "Messages refused.", status.rejected);
+  out.add_counters("messages_refused", "Messages of clouds and poses refused.", status.rejected);
+  out.add_counters("knowledge_refused", "Messages on the robot and on what to forget refused.",
+                   status.rejected_knowledge);
   out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
   out.add_views(status);
   out.add_pose_age(status.pose_age);
@@ -55,6 +57,8 @@ void DetectorNode::fill_counts(detector_status_t* status) {
   status->published_rate = published_rate_.update(counts_.published);
   status->rejected = bus::to_message(refusals_.counts());
   status->num_rejected = static_cast<std::int32_t>(status->rejected.size());
+  status->rejected_knowledge = bus::to_message(refused_knowledge_.counts());
+  status->num_rejected_knowledge = static_cast<std::int32_t>(status->rejected_knowledge.size());
   status->pose_age = posed_clouds_.last_age_ms();
   status->untracked = posed_clouds_.count_poseless();
   status->num_untracked = static_cast<std::int32_t>(status->untracked.size());
@@ -78,6 +82,10 @@ std::vector<std::string> DetectorNode::find_oddities() const {
   std::vector<std::string> oddities = posed_views_.find_oddities();
   const std::string oddity = posed_clouds_.find_oddity(counts_.decoded);
   if (!oddity.empty()) oddities.push_back(oddity);
+  if (refused_knowledge_.counts().total() > 0) {
+    oddities.push_back(fmt::format("of the messages on the robot and on what to forget {}",
+                                   describe(refused_knowledge_.counts())));
+  }
   return oddities;
 }
 

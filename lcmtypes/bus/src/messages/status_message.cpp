@@ -64,7 +64,7 @@ std::optional<std::string> read_status_sender(std::span<const std::byte> bytes) 
 }
 
 Decoded<detector_status_t> decode_detector_status(std::span<const std::byte> bytes) {
-  return decode<detector_status_t>(bytes, 15, 4);
+  return decode<detector_status_t>(bytes, 15, 5);
 }
 
 Decoded<planner_status_t> decode_planner_status(std::span<const std::byte> bytes) {
