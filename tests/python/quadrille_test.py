@@ -39,6 +39,30 @@ def organised_ball(width, height, radius=0.08):
     return (rays * z[..., None]).astype(np.float32)
 
 
+def vessel(radii, height=0.09):
+    """Upright walls around the z axis on a table, seen from above at a slant; noise of half a millimetre.
+
+    The points are in the frame of the camera, whose x axis is that of the world.
+    """
+    width = 640
+    u, v = np.meshgrid(np.arange(width), np.arange(480))
+    rays = np.stack([(u - 320) / 600, (v - 240) / 600, np.ones(u.shape)], -1)
+    eye = np.array((0.0, -0.45, 0.5))
+    forward = -eye / np.linalg.norm(eye)
+    R_WC = np.stack([(1.0, 0.0, 0.0), np.cross(forward, (1.0, 0.0, 0.0)), forward], -1)
+    d = rays @ R_WC.T
+    depth = -eye[2] / d[..., 2]  # where the table is
+    a, b = d[..., 0]**2 + d[..., 1]**2, d[..., :2] @ eye[:2]
+    for radius in radii:
+        with np.errstate(invalid="ignore"):
+            root = np.sqrt(b * b - a * (eye[:2] @ eye[:2] - radius**2))
+        for z in ((-b - root) / a, (-b + root) / a):
+            up = eye[2] + z * d[..., 2]
+            depth = np.where((up >= 0) & (up <= height) & (z < depth), z, depth)
+    depth += np.random.default_rng(3).normal(scale=5e-4, size=depth.shape)
+    return (rays * depth[..., None]).astype(np.float32)
+
+
 def peak_growth(work):
     """By how much the largest resident memory of this process exceeds that before the work [B]."""
 
@@ -76,6 +100,15 @@ class Detect(unittest.TestCase):
         self.assertGreater(np.trace(sphere.covariance), 0)
         self.assertEqual(sphere.open_directions.shape, (10, 0))
         self.assertLess(np.abs(sphere.distance(ball())).max(), 8e-4)
+
+    def test_a_vessel_tells_how_thick_its_wall_is(self):
+        thickness = 0.008
+        [mug] = [b for b in quadrille.detect(vessel([0.05, 0.05 - thickness])).bodies if b.kind == "revolution"]
+        self.assertAlmostEqual(mug.wall, thickness, delta=2.5 * mug.wall_deviation)
+        self.assertLess(mug.wall_deviation, 0.5 * thickness)
+        [shell] = quadrille.detect(vessel([0.05])).bodies
+        self.assertIsNone(shell.wall)
+        self.assertIsNone(shell.wall_deviation)
 
     def test_layouts_and_types_of_arrays_give_the_same(self):
         p = ball().astype(np.float32)
