@@ -3,6 +3,7 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
+#include <random>
 
 #include "grasping/exact_overlap.hpp"
 #include "grasping/mapped_scene.hpp"
@@ -254,6 +255,35 @@ TEST_CASE("carving frees the target and keeps what is asked for", "[occupancy][c
   map.carve(body, 0.006, [](const Eigen::Vector3d&) { return false; });
   CHECK(map.collides(inside) == Hit::kNone);
   CHECK(map.collides(other) != Hit::kNone);
+}
+
+TEST_CASE("the cube that a box met last stops no box after it was freed", "[occupancy][carve]") {
+  const Scene scene;
+  const Body body = make_body(sphere_detection(scene.balls[0])).value();
+  const auto keep_none = [](const Eigen::Vector3d&) { return false; };
+  // Only maps on which unknown space is no obstacle remember what a box met last.
+  const ObstacleMap map(scene.grid, false);
+  ObstacleMap fresh = map;
+  fresh.carve(body, 0.006, keep_none);
+  std::mt19937 random(17);
+  Eigen::AlignedBox3d around = body.bounds_C();
+  around.min().array() -= 0.02;
+  around.max().array() += 0.02;
+  int hits = 0, freed = 0;
+  for (int n = 0; n < 1000; ++n) {
+    OrientedBox box = random_box(random, around);
+    box.half *= 0.3;
+    // A map of its own, which remembers nothing but what this box met.
+    ObstacleMap remembering = map;
+    const bool hit = remembering.collides(box) != Hit::kNone;
+    remembering.carve(body, 0.006, keep_none);
+    const Hit now = remembering.collides(box);
+    REQUIRE(now == ObstacleMap(fresh).collides(box));
+    hits += hit;
+    freed += hit && now == Hit::kNone;
+  }
+  CHECK(freed > 50);
+  CHECK(hits > freed + 50);
 }
 
 TEST_CASE("refined, a box may enter the seen parts of voxels and no hidden ones",

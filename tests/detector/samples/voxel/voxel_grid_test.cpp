@@ -6,6 +6,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
+#include <vector>
 
 #include "base/random.hpp"
 #include "support/catch.hpp"
@@ -84,4 +86,27 @@ TEST_CASE("voxels are numbered alike whatever the order of the points", "[voxel]
   std::reverse(backward.begin(), backward.end());
   CHECK(forward == backward);
   CHECK(grid.count() == other.count());
+}
+
+TEST_CASE("more than four million bricks are found as fast as a few", "[voxel]") {
+  // One point in each brick. More bricks than 2²² need more bits of their hash than 22; with fewer,
+  // a search passes by a large part of the table, and this takes hours.
+  constexpr int kSide = 162, kBricks = kSide * kSide * kSide;
+  static_assert(kBricks > 1 << 22);
+  std::vector<Vector3f> points;
+  points.reserve(kBricks);
+  for (int n = 0; n < kBricks; ++n) {
+    points.push_back(4.0f * kEdge *
+                     (Vector3f(static_cast<float>(n % kSide), static_cast<float>(n / kSide % kSide),
+                               static_cast<float>(n / kSide / kSide)) +
+                      Vector3f::Constant(0.1f)));
+  }
+  std::vector<int> of_point;
+  const VoxelGrid grid(points, {}, kEdge, &of_point);
+  CHECK(grid.size() == kBricks);
+  CHECK(std::set<int>(of_point.begin(), of_point.begin() + 10000).size() == 10000);
+  for (int n = 0; n < kBricks; n += 997) {
+    REQUIRE(grid.voxel_of(points[n]) == of_point[n]);
+    REQUIRE(grid.mean()[of_point[n]] == points[n]);
+  }
 }
