@@ -1,6 +1,5 @@
 #include "logs/posed_log_reader.hpp"
 
-#include <lcmtypes/quadrille/robot_t.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/pose_message.hpp"
 #include "support/catch.hpp"
+#include "support/robot_log.hpp"
 #include "support/temp_folder.hpp"
 
 namespace quadrille {
@@ -54,25 +54,12 @@ TEST_CASE("a cloud of a log gets the robot's shapes that are nearest in time", "
   const test::TempFolder folder;
   const std::string path = folder.path("r.lcm");
   {
-    bus::LogWriter log(path);
-    PointCloud cloud;
-    cloud.points = {{1.0f, 2.0f, 3.0f}};
-    const auto tell = [&](std::int64_t utime, double padding) {
-      robot_t robot{};
-      robot.utime = utime;
-      robot.frame = "camera";
-      robot.padding = padding;
-      log.write(utime, "ROBOT", bus::encode(robot));
-    };
-    const auto show = [&](std::int64_t utime) {
-      log.write(utime, "POINT_CLOUD",
-                bus::encode_cloud({utime, 0, cloud}, bus::CloudFormat::kDrake));
-    };
-    show(1 * kMilli);
-    tell(2 * kMilli, 0.02);
-    tell(9 * kMilli, 0.09);
-    show(4 * kMilli);
-    show(10 * kMilli);
+    test::RobotLog log(path);
+    log.show(1 * kMilli);
+    log.tell(2 * kMilli, 0.02);
+    log.tell(9 * kMilli, 0.09);
+    log.show(4 * kMilli);
+    log.show(10 * kMilli);
   }
   const auto paddings = [&](const std::string& channel) {
     logs::PosedLogReader reader(path, "", "", 1.0, 0.05, 1.0, channel);
@@ -90,10 +77,10 @@ TEST_CASE("messages on the robot of a log that are refused are counted", "[logs]
   const test::TempFolder folder;
   const std::string path = folder.path("bad.lcm");
   {
-    bus::LogWriter log(path);
-    log.write(1, "ROBOT", std::vector<std::byte>(20));
-    log.write(2, "ROBOT", bus::encode(robot_t{}));
-    log.write(3, "ROBOT", std::vector<std::byte>(3));
+    test::RobotLog log(path);
+    log.tell_nonsense(1, 20);
+    log.tell(2, 0.0);
+    log.tell_nonsense(3, 3);
   }
   logs::PosedLogReader reader(path, "", "", 1.0, 0.05, 1.0, "ROBOT");
   CHECK(!reader.next());

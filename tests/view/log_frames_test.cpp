@@ -1,14 +1,12 @@
 #include "view/log/log_frames.hpp"
 
 #include <atomic>
-#include <lcmtypes/quadrille/robot_t.hpp>
 #include <stdexcept>
 #include <thread>
 
-#include "log/event_log.hpp"
 #include "logs/cloud_log_writer.hpp"
-#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
+#include "support/robot_log.hpp"
 #include "support/temp_folder.hpp"
 #include "view/log/log_backend.hpp"
 
@@ -50,21 +48,12 @@ TEST_CASE("a cloud of a log comes with the robot's shapes that were told nearest
   const test::TempFolder folder;
   const std::string path = folder.path("robot.lcm");
   {
-    bus::LogWriter log(path);
-    PointCloud cloud;
-    cloud.points = {{0, 0, 1}};
-    const auto tell = [&](std::int64_t utime, double padding) {
-      robot_t robot{};
-      robot.utime = utime;
-      robot.padding = padding;
-      log.write(utime, "ROBOT", bus::encode(robot));
-    };
+    test::RobotLog log(path);
     for (const std::int64_t utime : {10, 24, 40}) {
-      log.write(utime, "POINT_CLOUD",
-                bus::encode_cloud({utime, 0, cloud}, bus::CloudFormat::kDrake));
-      tell(utime + 2, 0.001 * static_cast<double>(utime));
+      log.show(utime);
+      log.tell(utime + 2, 0.001 * static_cast<double>(utime));
     }
-    log.write(50, "ROBOT", std::vector<std::byte>(20));
+    log.tell_nonsense(50, 20);
   }
   view::LogFrames frames(path, "", 1.0, "ROBOT");
   CHECK(frames.robot_refusals().count == 1);
