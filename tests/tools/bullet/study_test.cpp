@@ -13,10 +13,11 @@ using test::TempFolder;
 TEST_CASE("a study holds what quadrille try holds", "[study][command]") {
   const TempFolder folder;
   const std::string scene = folder.path("s.ply"), csv = folder.path("a.csv");
-  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
+  REQUIRE(run_quadrille("scene --family medium --seed 1 " + scene).code == 0);
   const json tried =
       json::parse(run_quadrille("try --first --gripper franka --json - " + scene).out);
-  const auto run = run_quadrille("study grasps --scenes 1 --seed 3 --gripper franka --csv " + csv);
+  const auto run = run_quadrille(
+      "study grasps --scenes 1 --family medium --seed 1 --gripper franka --csv " + csv);
   INFO(run.err);
   REQUIRE(run.code == 0);
   std::istringstream lines(test::content_of(csv));

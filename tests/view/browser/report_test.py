@@ -67,7 +67,7 @@ def check_hostile(page, folder, bin_folder, scan):
 
 def check_try(page, folder, bin_folder):
     scene, report = os.path.join(folder, "scene.ply"), os.path.join(folder, "try.html")
-    quadrille(bin_folder, "scene", scene, "--family", "tabletop", "--seed", "3")
+    quadrille(bin_folder, "scene", scene, "--family", "medium", "--seed", "1")
     tried = json.loads(quadrille(bin_folder, "try", scene, "--gripper", "wsg50", "--first", "--report-html", report,
                                  "--json", "-"))
     page.open("file://" + report)
