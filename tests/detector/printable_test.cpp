@@ -32,8 +32,8 @@ TEST_CASE("control characters and bytes that are no UTF-8 are printed as their n
 
 TEST_CASE("long text is cut between characters and ends in an ellipsis", "[printable]") {
   CHECK(printable(std::string(80, 'a')) == std::string(80, 'a'));
-  CHECK(printable(std::string(81, 'a')) == std::string(77, 'a') + "...");
-  CHECK(printable(std::string(3'000'000, 'a')) == std::string(77, 'a') + "...");
+  CHECK(printable(std::string(81, 'a')) == std::string(77, 'a').append("..."));
+  CHECK(printable(std::string(3'000'000, 'a')) == std::string(77, 'a').append("..."));
   CHECK(printable("aaaaaaa\xff", 10) == "aaaaaaa...");
   CHECK(printable("aaa\xff\xff", 10) == "aaa\\xff...");
   CHECK(printable("äöüäöü", 10) == "äöü...");
