@@ -23,8 +23,8 @@ for i in 1 2; do
   hosts+=("$!")
   started+=("$!")
   ip link add "wire$i" type veth peer name "camera$i"
-  # The other network may not be there yet.
-  wait_until 20 ip link set "camera$i" netns "${hosts[i - 1]}" || fail "no network for camera $i"
+  wait_until 20 has_own_network "${hosts[i - 1]}" || fail "no network for camera $i"
+  ip link set "camera$i" netns "${hosts[i - 1]}"
   ip link set "wire$i" master switch up
   nsenter -t "${hosts[i - 1]}" -n bash -c "ip address add 10.9.0.1$i/24 dev camera$i &&
     ip link set camera$i up && ip route add 224.0.0.0/4 dev camera$i"

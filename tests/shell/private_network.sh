@@ -49,5 +49,8 @@ wait_until() {
   done
 }
 
+# has_own_network PROCESS: it has left this network for one of its own. A device that is moved to it earlier stays here.
+has_own_network() { [[ $(readlink "/proc/$1/ns/net") != "$(readlink /proc/self/ns/net)" ]]; }
+
 # has_listeners N: as many sockets are bound to LCM's port.
 has_listeners() { [[ $(grep -c ':1DF3 ' /proc/net/udp) -ge $1 ]]; }
