@@ -1,4 +1,6 @@
 // Logs of a moving camera, and files of several, as views of one scene.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -91,6 +93,43 @@ TEST_CASE("the poses of a log place its things in the fixed frame, where they ke
     }
   }
   CHECK(lasting >= 2);
+}
+
+/// How far the largest plane of a cloud, its table, lies from the frame's origin [m].
+double distance_of_table(const json& cloud) {
+  double distance = 0.0;
+  int most = 0;
+  for (const json& detection : cloud["detections"]) {
+    if (detection["type"] != "plane" || detection["inliers"].get<int>() <= most) continue;
+    most = detection["inliers"].get<int>();
+    const std::vector<double> q = detection["q"];
+    distance = std::abs(q[9]) / (2.0 * std::hypot(q[6], q[7], q[8]));
+  }
+  return distance;
+}
+
+TEST_CASE(
+    "a table that several clouds show is at one place in the fixed frame, though poses are off",
+    "[command][scene]") {
+  const test::TempFolder folder;
+  const std::string log = folder.path("off.lcm");
+  REQUIRE(run_quadrille("scene " + log +
+                        " --family tabletop --seed 4 --rate 1 --path 4 --pose-error 0.003,0.3")
+              .code == 0);
+  // The largest difference from where the first cloud shows it.
+  const auto largest_shift = [&](const std::string& arguments) {
+    const std::vector<json> clouds = objects_of(
+        run_quadrille("detect --json - " + log + " --pose-channel CAMERA_POSE" + arguments));
+    REQUIRE(clouds.size() == 4);
+    const double first = distance_of_table(clouds.front());
+    double shift = 0.0;
+    for (const json& cloud : clouds) {
+      shift = std::max(shift, std::abs(distance_of_table(cloud) - first));
+    }
+    return shift;
+  };
+  CHECK(largest_shift("") > 0.004);
+  CHECK(largest_shift(" --scene") < 0.0015);
 }
 
 TEST_CASE("clouds without a pose are left out, and the reason is told", "[command][scene]") {

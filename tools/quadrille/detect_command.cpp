@@ -90,13 +90,14 @@ void run(const DetectArguments& arguments) {
     if (!pictures.wanted()) return;
     arguments.picture.write(pictures.next(path), {input.info.input, input.cloud, found});
   };
-  const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
+  const auto detect_and_put_out = [&](const std::string& path, InputCloud input) {
     std::vector<std::string> warnings;
     const RobotShapes robot = joined(moved(arguments.robot, input.X_CK.inverse()), input.robot);
-    const SceneViews views = all_views(arguments.views, input, robot, setup.options,
-                                       arguments.input.frames.unit, &warnings);
-    DetectionResult result = scene.lasts() ? scene.detect(input, path, robot, nullptr)
+    SceneViews views = all_views(arguments.views, input, robot, setup.options,
+                                 arguments.input.frames.unit, &warnings);
+    DetectionResult result = scene.lasts() ? scene.detect(&input, path, robot, nullptr)
                                            : detect_views(views.clouds(), setup.options);
+    views.info.viewpoint = input.X_CK * input.cloud.viewpoint;
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     // The tracks of a numbered cloud begin with the clouds before it.
     tracking.add_to(input, path, &result);

@@ -32,10 +32,12 @@ class LastingScene {
 
   /// Detects what a cloud and those before it show, if the scene lasts. The result, and the views
   /// for a plan, are in the cloud's frame K.
+  /// @param input  the pose of its K is corrected, so that what several clouds show is at one place
+  ///               in the frame of the results, however their poses are off
   /// @param path   path of the input
   /// @param robot  shapes in K of the robot, which are no part of the scene
   /// @param views  receives what the clouds before showed
-  DetectionResult detect(const InputCloud& input, const std::string& path, const RobotShapes& robot,
+  DetectionResult detect(InputCloud* input, const std::string& path, const RobotShapes& robot,
                          std::vector<PointCloud>* views);
 
  private:

@@ -26,14 +26,17 @@ namespace {
 
 using Visitor = std::function<void(InputCloud)>;
 
-/// A cloud of a log, or why it has none.
-struct LogCloud {
-  InputCloud input;
-  /// Why the camera's pose, although asked for, is not known; empty if nothing is missing.
-  std::string lack;
-  /// Why the robot's shapes, although told, are not known; empty if nothing is missing.
-  std::string robot_lack;
-};
+/// Returns the placement of a cloud in its camera's frame whose results are in the fixed frame.
+Placement in_world_of(const CameraPose& pose) {
+  Placement placement;
+  placement.X_WK = pose.X_WK;
+  placement.X_RK = pose.X_WK.value_or(Eigen::Isometry3d::Identity());
+  placement.frame = to_string(CloudFrame::kWorld);
+  placement.lack = pose.detail;
+  return placement;
+}
+
+}  // namespace
 
 logs::PosedLogReader open_log(const std::string& path, const InputArguments& arguments) {
   return {path,
@@ -45,17 +48,6 @@ logs::PosedLogReader open_log(const std::string& path, const InputArguments& arg
           arguments.robot_channel};
 }
 
-/// Returns the placement of a cloud in its camera's frame whose results are in the fixed frame.
-Placement in_world_of(const CameraPose& pose) {
-  Placement placement;
-  placement.X_WK = pose.X_WK;
-  placement.X_RK = pose.X_WK.value_or(Eigen::Isometry3d::Identity());
-  placement.frame = to_string(CloudFrame::kWorld);
-  placement.lack = pose.detail;
-  return placement;
-}
-
-/// Reads on to the next cloud of a log; `number` counts its clouds from 1.
 std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const std::string& path,
                                           const InputArguments& arguments, int number) {
   const auto start = std::chrono::steady_clock::now();
@@ -89,6 +81,8 @@ std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const st
   input.utime = message.utime;
   return found;
 }
+
+namespace {
 
 using Counts = std::map<std::string, std::int64_t>;
 

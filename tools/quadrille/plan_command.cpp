@@ -168,16 +168,20 @@ struct Before {
 };
 
 void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const std::string& path,
-                const InputCloud& input, Before* before, PlanOutput* output) {
+                InputCloud input, Before* before, PlanOutput* output) {
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
-  Surroundings known = moved(arguments.known, input.X_CK.inverse());
-  known.robot = joined(std::move(known.robot), input.robot);
-  const SceneViews views = all_views(arguments.views, input, known.robot, setup.detector.options,
-                                     arguments.input.frames.unit, &info.warnings);
+  const RobotShapes robot = joined(moved(arguments.known.robot, input.X_CK.inverse()), input.robot);
+  SceneViews views = all_views(arguments.views, input, robot, setup.detector.options,
+                               arguments.input.frames.unit, &info.warnings);
+  std::vector<PointCloud> earlier;
   DetectionResult found = before->scene.lasts()
-                              ? before->scene.detect(input, path, known.robot, &known.views)
+                              ? before->scene.detect(&input, path, robot, &earlier)
                               : detect_views(views.clouds(), setup.detector.options);
+  Surroundings known = moved(arguments.known, input.X_CK.inverse());
+  known.robot = robot;
+  known.views = std::move(earlier);
+  views.info.viewpoint = input.X_CK * input.cloud.viewpoint;
   before->tracking.add_to(input, path, &found);
   if (!input.asked) return;
   GraspQuery query = moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
@@ -245,8 +249,8 @@ void run(const PlanArguments& arguments) {
   if (!arguments.map.empty()) output.map.emplace(arguments.map);
   Before before{{setup.detector.track, arguments.input.scene},
                 {arguments.input.scene, true, setup.detector.options}};
-  const auto visit = [&](const std::string& path, const InputCloud& input) {
-    plan_cloud(arguments, setup, path, input, &before, &output);
+  const auto visit = [&](const std::string& path, InputCloud input) {
+    plan_cloud(arguments, setup, path, std::move(input), &before, &output);
   };
   InputArguments selection = arguments.input;
   selection.track = setup.detector.track;

@@ -26,10 +26,10 @@
 #include "io/planner/config.hpp"
 #include "io/planner/gripper_file.hpp"
 #include "link/url.hpp"
-#include "poses/placement.hpp"
-#include "poses/robot_state.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/grasping/shape.hpp"
+#include "quadrille/input_arguments.hpp"
+#include "quadrille/log_scenes.hpp"
+#include "quadrille/remembered_frames.hpp"
 #include "run/stop.hpp"
 #include "view/http/request_guard.hpp"
 #include "view/live/live_backend.hpp"
@@ -98,40 +98,27 @@ std::vector<std::string> known_grippers(const std::string& given) {
   return names;
 }
 
-/// Adds what a robot says of itself to the setup of one cloud.
-void add_robot(const RobotState& robot, const Placement& placement, const std::string& cloud_frame,
-               view::PlanSetup* setup, std::vector<std::string>* warnings) {
-  for (const SolidShape& shape : robot.attached) {
-    setup->query.attached.push_back(with_geometry(shape));
-  }
-  try {
-    setup->robot = moved(robot.in_camera_frame(placement, cloud_frame), placement.X_RK);
-  } catch (const std::invalid_argument& error) {
-    warnings->push_back(
-        std::string("the robot's shapes cannot be placed, so its points are taken for things: ") +
-        error.what());
-  }
+/// The inputs of a log whose camera moves.
+InputArguments moving_inputs(const ViewArguments& arguments) {
+  InputArguments inputs;
+  inputs.frames = arguments.frames;
+  inputs.channel = arguments.channel;
+  inputs.pose_channel = arguments.channels.poses;
+  inputs.robot_channel = arguments.channels.robot;
+  const io::Config config = io::load_config(arguments.detector.config);
+  inputs.track = arguments.detector.overrule_for_planning(config).track;
+  return inputs;
 }
 
-std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
+std::unique_ptr<view::Backend> open_in_log(const ViewArguments& arguments) {
   const view::PlanSetup setup = setup_of(arguments);
-  const auto make_scene = [frames = arguments.frames, setup](view::LogFrame frame,
-                                                             const view::PlanChoice& choice) {
-    const logs::LoggedCloud& logged = frame.cloud;
-    const Placement placement = frames.placement();
-    view::PlanSetup chosen_setup = chosen(setup, choice);
-    std::vector<std::string> warnings;
-    if (frame.robot)
-      add_robot(*frame.robot, placement, logged.message.cloud.frame, &chosen_setup, &warnings);
-    PointCloud cloud = moved(logged.message.cloud, placement.X_CK.inverse());
-    frames.place_viewpoint(&cloud);
-    view::Scene scene = scene_of_cloud(cloud, placement.X_RK, chosen_setup);
-    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
-    scene.name = logged.channel;
-    scene.utime = logged.message.utime;
-    scene.seq = logged.message.seq;
-    return scene;
+  const ChooseSetup choose = [setup](const view::PlanChoice& choice) {
+    return chosen(setup, choice);
   };
+  const view::MakeScene make_scene =
+      arguments.channels.poses.empty()
+          ? scenes_alone(arguments.frames, choose)
+          : scenes_in_memory({arguments.in_log, moving_inputs(arguments), setup.detector}, choose);
   view::LogFrames frames(arguments.in_log, arguments.channel, arguments.frames.unit,
                          arguments.channels.robot);
   std::vector<std::string> warnings;
@@ -200,7 +187,7 @@ void check_channels(const view::LiveChannels& channels) {
 void run(const ViewArguments& arguments) {
   check_channels(arguments.channels);
   const std::unique_ptr<view::Backend> backend =
-      arguments.in_log.empty() ? open_bus(arguments) : open_log(arguments);
+      arguments.in_log.empty() ? open_bus(arguments) : open_in_log(arguments);
   bus::install_stop_signals();
   const view::Server server(*backend, arguments.server);
   if (!view::is_loopback(arguments.server.bind_address)) {
@@ -231,7 +218,6 @@ std::string check_log(const std::string& path) {
 void add_pose_options(CLI::App& command, view::LiveChannels& channels) {
   add_channel_option(command, "--pose-channel", channels.poses,
                      "camera's poses in the fixed frame, of type bot_core.pose_t");
-  command.get_option("--pose-channel")->excludes("--in-log");
   command
       .add_option_function<std::string>(
           "--cloud-frame",
@@ -241,7 +227,8 @@ void add_pose_options(CLI::App& command, view::LiveChannels& channels) {
           "Frame of the clouds: the camera's, or the fixed frame of its poses")
       ->check(CLI::IsMember({view::kCameraFrame, view::kWorldFrame}))
       ->default_str(view::kCameraFrame)
-      ->needs("--pose-channel");
+      ->needs("--pose-channel")
+      ->excludes("--in-log");
 }
 
 }  // namespace
@@ -294,6 +281,9 @@ void add_view_command(CLI::App& app) {
   add_channel_option(*command, "--channel", arguments->channel,
                      "clouds, of a log that has several");
   arguments->frames.add_to(*command);
+  for (const char* rival : {"--viewpoint", "--camera-pose"}) {
+    command->get_option("--pose-channel")->excludes(command->get_option(rival));
+  }
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

@@ -53,7 +53,7 @@ std::optional<LogFrame> LogFrames::load(std::size_t number) {
     auto* const message = std::get_if<bus::CloudMessage>(&decoded);
     if (message == nullptr) break;
     auto robot = robot_.at(message->utime);
-    return LogFrame{{std::move(*message), event->channel, event->utime}, std::move(robot)};
+    return LogFrame{number, {std::move(*message), event->channel, event->utime}, std::move(robot)};
   }
   return std::nullopt;
 }

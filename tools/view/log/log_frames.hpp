@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,6 +15,8 @@ namespace quadrille::view {
 
 /// One cloud of a log, with what the robot said of itself.
 struct LogFrame {
+  /// Number of the cloud, counted from 0.
+  std::size_t number = 0;
   logs::LoggedCloud cloud;
   /// The robot's own shapes that were told nearest in time; null if none had been.
   std::shared_ptr<const RobotState> robot;
