@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "quadrille/detector/detector.hpp"
@@ -9,9 +10,11 @@ namespace {
 
 /// A face of a box that bulges: the part of a sphere above a rectangle in the plane z = 0, through
 /// its corners.
-/// @param bulge  height of its middle over the rectangle [m]; 0 for a flat face
-test::Patch bulging_face(const Eigen::Isometry3d& X_CP, double width, double height, double bulge) {
-  if (bulge == 0.0) return test::rectangle(X_CP, width, height);
+/// @param share  height of its middle over the rectangle, as a share of the shorter side; 0 for a
+///               flat face
+test::Patch bulging_face(const Eigen::Isometry3d& X_CP, double width, double height, double share) {
+  if (share == 0.0) return test::rectangle(X_CP, width, height);
+  const double bulge = share * std::min(width, height);
   const double half_diagonal = 0.5 * std::hypot(width, height);
   const double radius = (half_diagonal * half_diagonal + bulge * bulge) / (2.0 * bulge);
   test::Patch face = test::sphere(X_CP * test::translation(0, 0, bulge - radius), radius);
@@ -22,7 +25,7 @@ test::Patch bulging_face(const Eigen::Isometry3d& X_CP, double width, double hei
 
 /// A box of which each edge is a quarter of a cylinder and each corner an eighth of a sphere.
 std::vector<test::Patch> rounded_box(const Eigen::Isometry3d& X_CB, const Eigen::Vector3d& size,
-                                     double radius, double bulge = 0.0) {
+                                     double radius, double share = 0.0) {
   const Eigen::Vector3d inner = size - Eigen::Vector3d::Constant(2.0 * radius);
   std::vector<test::Patch> patches;
   for (int axis = 0; axis < 3; ++axis) {
@@ -35,7 +38,7 @@ std::vector<test::Patch> rounded_box(const Eigen::Isometry3d& X_CB, const Eigen:
           Eigen::AngleAxisd(side < 0.0 ? M_PI : 0.0, Eigen::Vector3d::UnitX()));
       patches.push_back(
           bulging_face(X_CB * X_BA * test::translation(0, 0, side * size[axis]) * turn, inner[u],
-                       inner[v], bulge));
+                       inner[v], share));
       for (const double other : {-0.5, 0.5}) {
         patches.push_back(
             test::mantle(X_CB * X_BA * test::translation(side * inner[u], other * inner[v], 0),
@@ -74,24 +77,23 @@ TEST_CASE("a box with rounded edges is as large as it is, not as its flat parts"
 
 TEST_CASE("a small box with rounded edges and bulging faces is found with its size", "[boxes]") {
   const Eigen::Isometry3d X_CW = test::world_seen_from({0.0, -0.5, 0.45});
-  constexpr double kBulge = 0.0025, kRadius = 0.009;
+  constexpr double kShare = 0.03, kRadius = 0.007;
   const Eigen::Vector3d size(0.085, 0.032, 0.07);
   int found = 0;
   for (const double yaw : {0.4, 0.8, 1.2, 2.0, 2.5}) {
     const Eigen::Isometry3d X_CB =
-        X_CW * test::translation(0, 0, 0.5 * size.z() + kBulge) *
+        X_CW * test::translation(0, 0, 0.5 * size.z()) *
         Eigen::Isometry3d(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
-    std::vector<test::Patch> patches = rounded_box(X_CB, size, kRadius, kBulge);
+    std::vector<test::Patch> patches = rounded_box(X_CB, size, kRadius, kShare);
     patches.push_back(test::rectangle(X_CW, 1.5, 1.2));
     const DetectionResult result = detect(test::render(patches, {640, 480, 1.0 / 600.0, 0.0003}));
     INFO("turned by " << yaw);
     for (const Box& box : result.boxes) {
       ++found;
       const Eigen::Matrix3d turn = (box.X_CB.linear().transpose() * X_CB.linear()).cwiseAbs();
-      const Eigen::Vector3d whole = size.array() + 2.0 * kBulge;
-      const Eigen::Vector3d error = box.size - turn.array().round().matrix() * whole;
+      const Eigen::Vector3d error = box.size - turn.array().round().matrix() * size;
       INFO("error " << 1000.0 * error.transpose() << " mm");
-      CHECK(error.cwiseAbs().maxCoeff() < 0.006);
+      CHECK(error.cwiseAbs().maxCoeff() < 0.004);
     }
   }
   CHECK(found == 5);
