@@ -32,13 +32,14 @@ void add_robot(const RobotState& robot, const Placement& placement, const std::s
 }  // namespace
 
 view::MakeScene scenes_alone(const FrameArguments& frames, const ChooseSetup& choose) {
-  return [frames, choose](view::LogFrame frame, const view::PlanChoice& choice) {
+  return [frames, choose](const view::LogFrame& frame, const view::PlanChoice& choice) {
     const logs::LoggedCloud& logged = frame.cloud;
     const Placement placement = frames.placement();
     view::PlanSetup chosen_setup = choose(choice);
     std::vector<std::string> warnings;
-    if (frame.robot)
+    if (frame.robot) {
       add_robot(*frame.robot, placement, logged.message.cloud.frame, &chosen_setup, &warnings);
+    }
     PointCloud cloud = moved(logged.message.cloud, placement.X_CK.inverse());
     frames.place_viewpoint(&cloud);
     view::Scene scene = scene_of_cloud(cloud, placement.X_RK, chosen_setup);

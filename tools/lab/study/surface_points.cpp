@@ -67,8 +67,9 @@ void add_face(const TrueBody& body, int axis, double side, double spacing, Surfa
   const int columns = steps_over(size[u], spacing), rows = steps_over(size[v], spacing);
   for (int k = 0; k < (columns + 1) * (rows + 1); ++k) {
     Vector3d p_S = side > 0.0 ? body.box_S.max() : body.box_S.min();
-    p_S[u] = body.box_S.min()[u] + size[u] * (k % (columns + 1)) / columns;
-    p_S[v] = body.box_S.min()[v] + size[v] * (k / (columns + 1)) / rows;
+    const int column = k % (columns + 1), row = k / (columns + 1);
+    p_S[u] = body.box_S.min()[u] + size[u] * column / columns;
+    p_S[v] = body.box_S.min()[v] + size[v] * row / rows;
     add(body, p_S, side * Vector3d::Unit(axis), points);
   }
 }
