@@ -9,7 +9,8 @@
 namespace quadrille {
 namespace {
 
-/// Ids of the planes that may be faces of a box of which most is not explained.
+/// Ids of the planes that may be faces of a box. A plane that is longer than half the longest side
+/// is a shelf or a wall, which connects things.
 std::set<int> small_planes(const std::vector<Detection>& detections) {
   std::set<int> ids;
   for (const Detection& d : detections) {

@@ -21,16 +21,20 @@ constexpr std::size_t kMinSamples = 40;
 constexpr std::size_t kMinSideSamples = 8;
 // A sample belongs to a side if its normal is within this angle of the side's [rad]: faces bulge.
 constexpr double kMaxTilt = 0.5;
-// Least share of a piece's samples that belong to a side. On a cylinder that stands on end only two
-// thirds of the mantle's normals do, at the best of all turns.
+// Least share of a piece's samples that belong to a side. Of the mantle of a cylinder only .64 do;
+// with a lid they may be more, and then its sides are refused because they bend.
 constexpr double kMinShare = 0.7;
 // The sides and the axes are found in turn, so often.
 constexpr int kRounds = 5;
-// So many normals are tried for the first axis.
+// So many normals are tried for the first axis, evenly chosen: a side that has a tenth of the
+// samples has six of them.
 constexpr std::size_t kTried = 64;
 // A normal counts for the turn about the first axis if it is more than this far from it, as the
 // squared sine of the angle.
 constexpr double kMinAcross = 0.5;
+
+// At most so many seeds are looked at, so that clutter takes no more time than boxes.
+constexpr std::size_t kMaxSeeds = 16;
 
 /// For each axis the side that faces the sensor, and its samples: of two opposite sides a view
 /// shows one.
@@ -40,7 +44,8 @@ struct Side {
 };
 using Sides = std::array<Side, 3>;
 
-/// Mean of the normals about that normal which has most others about it.
+/// The direction in which most normals point: the mean of those about the normal that has the most
+/// neighbours.
 Eigen::Vector3d main_normal(const SurfaceSamples& samples, const std::vector<int>& piece) {
   const auto least = static_cast<float>(std::cos(0.5 * kMaxTilt));
   const std::size_t stride = 1 + piece.size() / kTried;
@@ -152,6 +157,7 @@ std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& f
   for (const std::vector<int>& connected : connected_pieces(samples, free)) {
     if (connected.size() < kMinSamples) break;
     for (const std::vector<int>& piece : convex_pieces(samples, connected)) {
+      if (seeds.size() == kMaxSeeds) return seeds;
       if (auto seed = seed_of(samples, piece)) seeds.push_back(std::move(*seed));
     }
   }

@@ -14,6 +14,9 @@
 namespace quadrille {
 namespace {
 
+// No sensor has points that are nearer to each other, but copies of points are [m].
+constexpr double kMinPitch = 1e-5;
+
 std::array<Eigen::Vector3d, 4> corners_C(const FacePatch& patch) {
   std::array<Eigen::Vector3d, 4> corners;
   for (int n = 0; n < 4; ++n) {
@@ -52,7 +55,7 @@ double pitch_of(const std::vector<Eigen::Vector2d>& places, double cosine) {
     return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
   });
   const double area = (high - low).prod();
-  return std::sqrt(cosine * area / std::max(1.0, double(inside)));
+  return std::max(kMinPitch, std::sqrt(cosine * area / std::max(1.0, double(inside))));
 }
 
 bool larger(const Piece& a, const Piece& b) { return a.measured_C.size() > b.measured_C.size(); }

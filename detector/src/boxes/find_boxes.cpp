@@ -187,6 +187,16 @@ class BoxMaker {
     return std::all_of(faces.begin(), faces.end(), [&](const Face* f) { return is_free(f); });
   }
 
+  /// All detected planes except some faces.
+  std::vector<const Detection*> planes_beside(const std::vector<const Face*>& faces) const {
+    std::vector<const Detection*> others;
+    for (const Detection* plane : planes_) {
+      const auto same = [&](const Face* face) { return face->id == plane->id; };
+      if (std::none_of(faces.begin(), faces.end(), same)) others.push_back(plane);
+    }
+    return others;
+  }
+
   /// The box of some faces, if they make one.
   std::optional<Box> box_of(const std::vector<const Face*>& faces) const {
     std::optional<BoxDraft> draft;
@@ -194,11 +204,7 @@ class BoxMaker {
       draft = draft_of(faces, sight_);
       if (!is_rectangular(*draft)) return std::nullopt;
     }
-    std::vector<const Detection*> others;
-    for (const Detection* plane : planes_) {
-      const auto same = [&](const Face* face) { return face->id == plane->id; };
-      if (std::none_of(faces.begin(), faces.end(), same)) others.push_back(plane);
-    }
+    const std::vector<const Detection*> others = planes_beside(faces);
     std::optional<Box> box = completed_box(faces, draft ? draft->R_CA : box_axes(faces), others);
     if (!box) box = measure_box(draft ? *draft : draft_of(faces, sight_), others);
     return box;
@@ -218,7 +224,7 @@ class BoxMaker {
       faces.push_back(&found.emplace_back(std::move(*face)));
     }
     if (faces.size() < 2) return std::nullopt;
-    return measure_box(draft_of(faces, sight_), planes_);
+    return measure_box(draft_of(faces, sight_), planes_beside(faces));
   }
 
   std::optional<Face> face_of_seed(const FlatPatch& patch) const {

@@ -14,7 +14,7 @@ namespace quadrille {
 /// @param sigma  noise of the points along the patch's normal [m]
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
-/// The same for a patch that may bend; nullopt if it bends too much for a face.
+/// The face at a patch as by face_at(), but nullopt if it bends more than worn boxes do.
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight);
 
 /// The largest connected piece of flat surface at a patch, which has grown as far as its plane

@@ -92,12 +92,12 @@ bool on_faces(const BoxDraft& draft, const RoundedBox& box) {
 bool is_solid(const BoxDraft& draft, const SeenEnds& seen) {
   const Eigen::AlignedBox3d box_A = seen_part(seen.ends);
   const Eigen::Vector3d size = box_A.sizes();
-  if (size.maxCoeff() > kMaxSide) return false;
+  if (!(size.maxCoeff() <= kMaxSide)) return false;
   const bool alone = draft.faces.size() == 1;
   // The depth behind a single face is not seen, so its axis is skipped.
   for (int axis = alone ? 1 : 0; axis < 3; ++axis) {
     const double doubt = std::hypot(seen.ends[axis][0].std, seen.ends[axis][1].std);
-    if (doubt > kMaxDoubt * size[axis]) return false;
+    if (!(doubt <= kMaxDoubt * size[axis])) return false;
   }
   return alone || (all_filled(draft, box_A) && nothing_within(draft, box_A) &&
                    (!has_patch(draft) || on_faces(draft, {box_A, seen.radius})));

@@ -49,15 +49,15 @@ class RoundedBoxFit {
       const bool free = !outline.edge.meets && !end_of(outline).rests;
       if (free) free_[index(outline)] = true;
     }
-    const double shortest = seen_part(ends_).sizes().minCoeff();
-    max_radius_ = std::clamp(kMaxShare * shortest, 0.0, kMaxRadius);
   }
 
   double run() {
-    box_.radius = 0.5 * max_radius_;
-    std::array<double, 6> hidden = {};
+    box_.radius = 0.5 * max_radius();
+    std::array<double, kRadius> hidden = {};
     for (const Outline& outline : outlines_) {
-      hidden[index(outline)] = outline.hidden(box_.radius, *draft_.sight);
+      if (outline.edge.meets) continue;
+      double& most = hidden[index(outline)];
+      most = std::max(most, outline.hidden(box_.radius, *draft_.sight));
     }
     for (int k = 0; k < kRadius; ++k) {
       if (free_[k]) end(k).at += hidden[k];
@@ -67,15 +67,16 @@ class RoundedBoxFit {
       const double left = std::max(0.0, 1.0 - 2.0 * step / kSteps);
       improve(kCut * (1.0 + (kFirstCut - 1.0) * left));
     }
-    const Unknowns variances = H_.inverse().diagonal();
-    for (int k = 0; k < kRadius; ++k) {
-      if (free_[k]) end(k).std = std::sqrt(variances[k]);
-    }
+    set_deviations();
     return box_.radius;
   }
 
  private:
   static int index(const Outline& outline) { return 2 * outline.axis + outline.upper; }
+  /// The largest radius that the box may have as it is [m].
+  double max_radius() const {
+    return std::clamp(kMaxShare * seen_part(ends_).sizes().minCoeff(), 0.0, kMaxRadius);
+  }
   BoxEnd& end(int k) { return ends_[k / 2][k % 2]; }
   const BoxEnd& end_of(const Outline& outline) const { return ends_[outline.axis][outline.upper]; }
   int nearer_end(int axis, const Eigen::Vector3d& p_A) const {
@@ -169,14 +170,42 @@ class RoundedBoxFit {
       H_(k, k) = 1.0;
       g_[k] = 0.0;
     }
-    const Unknowns step = H_.ldlt().solve(g_);
+    Unknowns step = H_.ldlt().solve(g_);
+    const double most = max_radius();
+    const double radius = std::clamp(box_.radius - step[kRadius], 0.0, most);
+    if (radius != box_.radius - step[kRadius]) {
+      fix_radius(box_.radius - radius);
+      step = H_.ldlt().solve(g_);
+    }
     for (int k = 0; k < kRadius; ++k) {
       if (!free_[k]) continue;
       const BoxEnd& first = first_[k / 2][k % 2];
       end(k).at =
-          std::clamp(end(k).at - step[k], first.at - kMaxInward * first.std, first.at + kMaxRadius);
+          std::clamp(end(k).at - step[k], first.at - kMaxInward * first.std, first.at + most);
     }
-    box_.radius = std::clamp(box_.radius - step[kRadius], 0.0, max_radius_);
+    box_.radius = radius;
+  }
+
+  /// Sets the step of the radius in the normal equations, so that the other steps follow from it.
+  void fix_radius(double step) {
+    g_ -= step * H_.col(kRadius);
+    H_.row(kRadius).setZero();
+    H_.col(kRadius).setZero();
+    H_(kRadius, kRadius) = 1.0;
+    g_[kRadius] = step;
+  }
+
+  /// The deviations of the ends. The edges of a box differ in their radius, so what an end lies
+  /// beyond its outline is as unsure as the radius; and a radius at its bound may be any larger
+  /// one.
+  void set_deviations() {
+    const Unknowns variances = H_.inverse().diagonal();
+    const double larger = box_.radius < kMaxRadius ? 0.0 : kMaxRadius;
+    for (int k = 0; k < kRadius; ++k) {
+      if (!free_[k]) continue;
+      const double beyond = end(k).at - first_[k / 2][k % 2].at;
+      end(k).std = std::hypot(std::sqrt(variances[k]), std::hypot(kUnsureShare * beyond, larger));
+    }
   }
 
   const BoxDraft& draft_;
@@ -185,7 +214,6 @@ class RoundedBoxFit {
   const BoxEnds first_;
   /// Noise of the points along the normal [m].
   double sigma_ = 0.0;
-  double max_radius_ = 0.0;
   std::array<bool, kRadius> free_ = {};
   RoundedBox box_;
   std::vector<Eigen::Vector3d> points_A_;
