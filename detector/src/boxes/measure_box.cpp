@@ -24,8 +24,7 @@ constexpr double kMaxDoubt = 0.1;
 
 // Score of a box of which no face was detected.
 constexpr double kUndetectedScore = 0.5;
-// Least share of the points in a box that lie on its sides and the edges between them, if one of
-// its faces is only a patch.
+// Least share of the points in a box that lie on its sides and the edges between them.
 constexpr double kMinOnFaces = 0.85;
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
@@ -64,11 +63,6 @@ bool nothing_within(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
          draft.max_strays();
 }
 
-bool has_patch(const BoxDraft& draft) {
-  return std::any_of(draft.faces.begin(), draft.faces.end(),
-                     [](const Face* face) { return face->is_patch; });
-}
-
 /// True if most of the points in the box lie on its faces, on its other sides or on the edges
 /// between them: the third side of a box may have too few points for a face. On a round body they
 /// lie between two faces that only touch it.
@@ -100,7 +94,7 @@ bool is_solid(const BoxDraft& draft, const SeenEnds& seen) {
     if (!(doubt <= kMaxDoubt * size[axis])) return false;
   }
   return alone || (all_filled(draft, box_A) && nothing_within(draft, box_A) &&
-                   (!has_patch(draft) || on_faces(draft, {box_A, seen.radius})));
+                   on_faces(draft, {box_A, seen.radius}));
 }
 
 /// True if the outline of a single face was seen all around and a plane parallel to it lies below:
