@@ -7,38 +7,24 @@ usage: memory_test.py BIN_FOLDER
 
 import json
 import os
-import re
-import signal
 import struct
 import subprocess
 import sys
 import tempfile
 import urllib.request
 
+from running_view import View
+
 CLOUDS = 4
 POSES = ("--pose-channel", "CAMERA_POSE")
+UNKNOWN = ("--unknown", "obstacle")
 
 
-class View:
-    """A running quadrille view on a log."""
-
-    def __init__(self, program, *arguments):
-        self.process = subprocess.Popen([program, "view", "--port", "0", "--unknown", "obstacle", *arguments],
-                                        stdout=subprocess.PIPE, text=True)
-        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.send_signal(signal.SIGTERM)
-        assert self.process.wait(60) == 0, "view ends with 0 after SIGTERM"
-
-    def frame(self, number):
-        with urllib.request.urlopen(f"{self.address}api/frames/{number}") as answer:
-            pack = answer.read()
-        assert pack[:4] == b"QVW1"
-        return json.loads(pack[8:8 + struct.unpack("<I", pack[4:8])[0]])
+def frame_of(view, number):
+    with urllib.request.urlopen(f"{view.address}api/frames/{number}") as answer:
+        pack = answer.read()
+    assert pack[:4] == b"QVW1"
+    return json.loads(pack[8:8 + struct.unpack("<I", pack[4:8])[0]])
 
 
 def shown(frame):
@@ -51,16 +37,17 @@ def path_of(frame):
     return frame["camera"]["path"]["count"] // 3
 
 
-def check(program, log):
-    planned = subprocess.run([program, "plan", log, "--scene", *POSES, "--gripper", "franka", "--unknown", "obstacle",
+def check(bin_folder, log):
+    program = os.path.join(bin_folder, "quadrille")
+    planned = subprocess.run([program, "plan", log, "--scene", *POSES, "--gripper", "franka", *UNKNOWN,
                               "--json", "-"], check=True, capture_output=True, text=True).stdout
     expected = [json.loads(line) for line in planned.splitlines()]
-    with View(program, log, *POSES) as view:
-        forward = [view.frame(number) for number in range(CLOUDS)]
-    with View(program, log, *POSES) as view:
-        backward = [view.frame(number) for number in reversed(range(CLOUDS))][::-1]
-    with View(program, log) as view:
-        alone = view.frame(CLOUDS - 1)
+    with View(bin_folder, log, *POSES, *UNKNOWN) as view:
+        forward = [frame_of(view, number) for number in range(CLOUDS)]
+    with View(bin_folder, log, *POSES, *UNKNOWN) as view:
+        backward = [frame_of(view, number) for number in reversed(range(CLOUDS))][::-1]
+    with View(bin_folder, log, *UNKNOWN) as view:
+        alone = frame_of(view, CLOUDS - 1)
     for number, (frame, plan) in enumerate(zip(forward, expected)):
         assert shown(frame) == shown(backward[number]), "a frame does not depend on how it was reached"
         assert frame["frame"] == "world", frame["frame"]
@@ -83,7 +70,7 @@ def main():
         log = os.path.join(folder, "path.lcm")
         subprocess.run([program, "scene", log, "--family", "tabletop", "--seed", "4", "--rate", "1", "--path", str(CLOUDS)],
                        check=True, stdout=subprocess.DEVNULL)
-        check(program, log)
+        check(sys.argv[1], log)
     print("memory_test: all is well")
 
 

@@ -22,11 +22,13 @@ struct RememberedFrame {
   /// The cloud with its pose in the fixed frame W, which is corrected by what the clouds before
   /// showed, or why the pose is not known. Then the cloud stands alone, in its own frame.
   LogCloud cloud;
-  /// What this cloud and those before it show, with tracks, in the cloud's frame K.
+  /// The surfaces, boxes and bodies that this cloud and the clouds before it show, with their
+  /// tracks, in the cloud's frame K.
   DetectionResult found;
-  /// What the clouds before saw, for plans, in K.
+  /// The remembered views of the clouds before this one, in K. A plan takes them as further views.
   std::vector<PointCloud> views;
-  /// Where the camera took the clouds, up to this one and the oldest first, in W [m].
+  /// Positions of the camera in the fixed frame W [m]: one for each cloud, from the oldest to this
+  /// one.
   std::vector<Eigen::Vector3f> path;
 };
 
@@ -45,7 +47,7 @@ class RememberedFrames {
   const RememberedFrame* at(std::size_t number);
 
  private:
-  /// What is known after the clouds that were read so far.
+  /// The state after the clouds that were read so far: the log's reader and the remembered scene.
   struct Run {
     Run(const std::string& path, const InputArguments& inputs, const DetectorOptions& options)
         : reader(open_log(path, inputs)),

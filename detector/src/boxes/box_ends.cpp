@@ -142,7 +142,7 @@ SeenEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& p
       seen.ends[axis][upper] = find_end(draft, planes, axis, upper, &shown);
     }
   }
-  // A single face shows no edge from both sides.
+  // The radius of an edge can be seen only where two faces meet.
   if (draft.faces.size() > 1) seen.radius = fit_rounded_box(draft, shown, &seen.ends);
   return seen;
 }

@@ -27,7 +27,8 @@ struct BoxEnd {
 /// The lower and the upper end of each side.
 using BoxEnds = std::array<std::array<BoxEnd, 2>, 3>;
 
-/// What was seen of a box: its ends, and the radius of its edges, 0 for sharp ones [m].
+/// The ends of a box as far as they were seen, and the radius of its edges [m], 0 if these are
+/// sharp.
 struct SeenEnds {
   BoxEnds ends;
   double radius = 0.0;

@@ -11,7 +11,7 @@
 
 namespace quadrille {
 
-/// Where boxes may be that the detected planes do not show.
+/// Places where a box may be although its faces were not detected as planes.
 struct BoxHints {
   /// Flat pieces of surface that are too small or too bent for a plane.
   std::vector<FlatPatch> patches;
@@ -19,6 +19,7 @@ struct BoxHints {
   std::vector<BoxSeed> seeds;
 };
 
+/// Finds such places in the samples of one view.
 /// @param free        samples to use, which lie on no detection
 /// @param detections  planes among them that are small enough for a face may be sides of seeds
 /// @param owner       for each sample the id of the detection on which it lies

@@ -22,8 +22,9 @@ struct Beside {
 struct Row {
   double end = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d last_C = Eigen::Vector3d::Zero();
-  /// What was seen beyond the end, and whether it shows that the face ends there.
+  /// The points that were seen beyond the end.
   std::vector<Beside> beside;
+  /// True if these points show that the face ends there.
   bool seen = false;
 
   bool empty() const { return !std::isfinite(end); }

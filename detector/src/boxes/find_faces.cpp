@@ -115,7 +115,6 @@ std::optional<Face> face_at(const FacePatch& patch, double sigma, const Directio
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
   std::optional<Piece> piece = piece_at(flat.patch, flat.sigma, sight);
   if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
-  piece->face.is_patch = true;
   return std::move(piece->face);
 }
 

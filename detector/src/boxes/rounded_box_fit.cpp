@@ -226,19 +226,6 @@ class RoundedBoxFit {
 
 }  // namespace
 
-double Outline::turn(const Eigen::Vector3d& eye_C) const {
-  const Eigen::Vector3d ahead_C = (face->middle_C - eye_C).normalized();
-  return std::atan2(std::abs(face->n_C.dot(ahead_C)), std::max(0.0, out_C.dot(ahead_C)));
-}
-
-double Outline::hidden(double radius, const DirectionIndex& sight) const {
-  if (!sight.single() || radius <= 0.0) return 0.0;
-  const double depth = std::min(face->tolerance(), radius);
-  const double shown =
-      std::min(std::sqrt(depth * (2.0 * radius - depth)), radius * std::sin(turn(sight.eye())));
-  return radius - shown;
-}
-
 double fit_rounded_box(const BoxDraft& draft, const std::vector<Outline>& outlines, BoxEnds* ends) {
   return RoundedBoxFit(draft, outlines, ends).run();
 }

@@ -1,39 +1,20 @@
 """What the tests of quadrille's pages share: the command, quadrille view, and a real browser without a screen."""
 
 import os
-import re
-import signal
 import subprocess
+import sys
 import time
 
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 
-# A loaded machine without a graphics card may take long; nothing else depends on time.
-PATIENCE_S = 120
-
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from running_view import PATIENCE_S, View  # noqa: E402, F401
 
 def quadrille(bin_folder, *arguments):
     return subprocess.run([os.path.join(bin_folder, "quadrille"), *arguments], check=True,
                           capture_output=True, text=True).stdout
-
-
-class View:
-    """A running quadrille view."""
-
-    def __init__(self, bin_folder, *arguments):
-        self.process = subprocess.Popen(
-            [os.path.join(bin_folder, "quadrille"), "view", "--port", "0", *arguments],
-            stdout=subprocess.PIPE, text=True)
-        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.send_signal(signal.SIGTERM)
-        assert self.process.wait(PATIENCE_S) == 0, "view ends with 0 after SIGTERM"
 
 
 def open_browser(chromium, driver):
