@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct ApproachSpace {
   Eigen::Vector3d view_C = -Eigen::Vector3d::UnitZ();
   /// Unit normal of the plane that the target stands on; zero if none is known.
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
+  /// Height of the target's centre above that plane; infinite if none is known [m].
+  double height = std::numeric_limits<double>::infinity();
   /// Unit direction into the mouth of a shell; the hand approaches within 45° of it. Zero if there
   /// is no mouth.
   Eigen::Vector3d into_C = Eigen::Vector3d::Zero();

@@ -28,7 +28,7 @@ class PointHoldFinder {
         own_(own),
         gripper_(gripper),
         space_(space),
-        on_slice_(points, own, gripper, space.centre_C, walls, max_friction),
+        on_slice_(points, own, gripper, space, walls, max_friction),
         slices_(on_slice_.offsets_C(), own, gripper, SliceHolds::heights(gripper)) {}
 
   std::vector<Hold> find(const GoesOn& goes_on) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contacts/pad_cover.hpp"
 #include "contacts/quality.hpp"
@@ -22,22 +23,32 @@ constexpr double kGoesOn = 0.012, kStraight = 0.002, kShareOfWall = 0.8;
 // than pad_side() needs, for the rounding of floats.
 constexpr double kEndDepth = kPadBand + 1e-4;
 
+// Tips stop so far above what the target stands on [m]: a little farther than hands have to keep
+// off it. There they hold things that lie flat.
+constexpr double kAboveSupport = 0.0025;
+// Sine of the greatest lean of the closing direction, and least cosine between the approach and
+// the way down, for which the tips reach down alike.
+constexpr double kMostLean = 0.05, kLeastDown = 0.5;
+// Tips that reach less deep below the highest point than this hold nothing [m].
+constexpr float kLeastDepth = 0.003f;
+
 // Far more than what floats round of a height in the hand [m].
 constexpr double kHeightRounding = 1e-6;
 
 }  // namespace
 
 SliceHolds::SliceHolds(const SurfacePoints& points, const std::vector<char>& own,
-                       const Gripper& gripper, const Eigen::Vector3d& centre_C,
-                       const ThinWalls& walls, double max_friction)
+                       const Gripper& gripper, const ApproachSpace& space, const ThinWalls& walls,
+                       double max_friction)
     : points_(points),
       own_(own),
       gripper_(gripper),
-      centre_C_(centre_C),
+      space_(space),
+      centre_C_(space.centre_C),
       walls_(walls),
       max_friction_(max_friction),
       runs_(static_cast<float>(gripper.finger.y())) {
-  for (const Eigen::Vector3d& p_C : points.p_C) offsets_C_.push_back(p_C - centre_C);
+  for (const Eigen::Vector3d& p_C : points.p_C) offsets_C_.push_back(p_C - space.centre_C);
 }
 
 SliceHeights SliceHolds::heights(const Gripper& gripper) {
@@ -72,18 +83,35 @@ void SliceHolds::set_orientation(const Eigen::Matrix3d& R_CG, const SortedPoints
 void SliceHolds::find(const FingerSlice& slice, std::vector<SliceHold>& found) {
   if (slice.points.size() < kMinBetween) return;
   points_of_slice_ = slice.points;
-  find_runs(slice.top);
+  find_runs(slice);
   for (std::size_t n = 0; n < kDepths; ++n) {
+    // The support may stop the tips at one place for several depths.
+    const bool repeats = n > 0 && tips_[n] == tips_[n - 1];
+    if (repeats || tips_[n] - slice.top < kLeastDepth) continue;
     tip_ = tips_[n], root_ = roots_[n];
     hold_runs(runs_.at(n), slice.x, found);
   }
 }
 
+/// Returns how far the tips reach along the approach before they come too near to what the target
+/// stands on; infinity if nothing tells.
+double SliceHolds::lowest_tip(double x) const {
+  const Eigen::Vector3d up_G = R_CG_.transpose() * space_.up_C;
+  // If the hand leans to one side, the two tips reach down differently, and if it comes from the
+  // side, they hardly reach down. Then the check for collisions decides.
+  if (std::abs(up_G.y()) > kMostLean || -up_G.z() < kLeastDown) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double corner = up_G.x() * x - 0.5 * std::abs(up_G.x()) * gripper_.finger.x();
+  return (space_.height + corner - kAboveSupport) / -up_G.z();
+}
+
 /// Finds the runs of points at all depths.
-void SliceHolds::find_runs(float top) {
+void SliceHolds::find_runs(const FingerSlice& slice) {
   const auto finger = static_cast<float>(gripper_.finger.z());
+  const auto lowest = static_cast<float>(lowest_tip(slice.x));
   for (std::size_t n = 0; n < kDepths; ++n) {
-    tips_[n] = top + kDepthsToFinger[n] * finger;
+    tips_[n] = std::min(slice.top + kDepthsToFinger[n] * finger, lowest);
     roots_[n] = tips_[n] - finger;
   }
   runs_.find(sorted_, points_of_slice_, tips_, roots_);

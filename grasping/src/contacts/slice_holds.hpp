@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "contacts/candidates.hpp"
 #include "contacts/finger_runs.hpp"
 #include "contacts/finger_slices.hpp"
 #include "contacts/hold.hpp"
@@ -38,10 +39,10 @@ class SliceHolds {
  public:
   /// All arguments must outlive this object.
   /// @param own  for each point, nonzero if it belongs to the target
-  /// @param centre_C  the target's centre, from which on slices give positions [m]
+  /// @param space  the target's centre, from which on slices give positions, and what it stands on
   /// @param max_friction  largest friction coefficient that a hold may need [-]
   SliceHolds(const SurfacePoints& points, const std::vector<char>& own, const Gripper& gripper,
-             const Eigen::Vector3d& centre_C, const ThinWalls& walls, double max_friction);
+             const ApproachSpace& space, const ThinWalls& walls, double max_friction);
 
   /// The positions of the points, from the target's centre on [m].
   const std::vector<Eigen::Vector3d>& offsets_C() const { return offsets_C_; }
@@ -82,7 +83,8 @@ class SliceHolds {
     const float z = sorted_.z[place(k)];
     return (z < tip_) & (z > root_);
   }
-  void find_runs(float top);
+  double lowest_tip(double x) const;
+  void find_runs(const FingerSlice& slice);
   void hold_runs(const std::vector<Run>& runs, double x, std::vector<SliceHold>& found);
   bool holds_enough(const Run& run) const;
   std::size_t end_of_head(const Run& run) const;
@@ -98,6 +100,7 @@ class SliceHolds {
   const SurfacePoints& points_;
   const std::vector<char>& own_;
   const Gripper& gripper_;
+  const ApproachSpace& space_;
   const Eigen::Vector3d centre_C_;
   const ThinWalls& walls_;
   const double max_friction_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "quadrille/detector/vector_clones.hpp"
+#include "scene/free_supports.hpp"
 #include "space/map_limits.hpp"
 #include "space/space_mapper.hpp"
 #include "space/surface_cover.hpp"
@@ -133,6 +134,8 @@ void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* p
   parts->map.emplace(*parts->space,
                      unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
                      parts->views, !occupied_by_map);
+  // The map of others shows no points of its own, so that nothing tells what its voxels hold.
+  if (!occupied_by_map) free_supports(*parts, &*parts->map);
 }
 
 }  // namespace quadrille

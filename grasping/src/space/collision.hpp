@@ -18,6 +18,8 @@ struct SupportPlane {
   Eigen::Isometry3d X_CP = Eigen::Isometry3d::Identity();
   /// Extent of the plane, along x and y of P [m].
   Eigen::AlignedBox2d extent_P;
+  /// Standard deviation of the plane's points about it [m].
+  double noise = 0.0;
 
   Eigen::Vector3d n_C() const { return X_CP.linear().col(2); }
   double distance(const Eigen::Vector3d& p_C) const { return n_C().dot(p_C - X_CP.translation()); }

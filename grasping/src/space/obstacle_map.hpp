@@ -63,6 +63,10 @@ class ObstacleMap {
   template <class Keep>
   void carve(const std::vector<Eigen::Vector3d>& points_C, double margin, Keep&& keep);
 
+  /// Frees all occupied voxels for which frees(centre) holds.
+  template <class Frees>
+  void free_occupied(Frees&& frees);
+
   /// Frees unknown voxels that the sensor of a view could not see because the body stood in front
   /// of them.
   void clear_shadow(const Body& body, const Eigen::AlignedBox3d& region);
@@ -213,6 +217,25 @@ void ObstacleMap::free_in(Block& block, const Eigen::Vector3i& first, const Rang
       }
     }
   }
+}
+
+template <class Frees>
+void ObstacleMap::free_occupied(Frees&& frees) {
+  last_ = {};
+  each_cube(Eigen::Vector3i::Zero(), size_, kEdge, [&](const Eigen::Vector3i& first) {
+    Block* block = block_of(first);
+    if (block == nullptr || !(block->flags.back() & kAnyOccupied)) return;
+    bool changed = false;
+    for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
+      const int i = n % kEdge, j = n / kEdge % kEdge, k = n / (kEdge * kEdge);
+      std::uint8_t& flags = block->flags.data()[n];
+      if (!(flags & kAnyOccupied)) continue;
+      if (!frees(centre(first.x() + i, first.y() + j, first.z() + k))) continue;
+      flags = 0;
+      changed = true;
+    }
+    if (changed) block->refresh();
+  });
 }
 
 template <class Keep>

@@ -15,8 +15,8 @@ constexpr double kMinSupportToBody = 1.0;
 // and the plane goes on beyond the image [m].
 constexpr double kBeyondSeen = 0.1;
 
-// A body does not stand on a plane if its fitted foot goes deeper into the plane than this share of
-// the body's size above it.
+// A body does not stand on a plane unless this share of its height lies above the plane: fitted
+// feet may go into it. Things that lie flat are long, but not high.
 constexpr double kMinShareAbove = 0.25;
 
 /// Returns the plane if the target stands on it: a large plane below most of the body, and no
@@ -31,13 +31,14 @@ std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(kBeyondSeen);
   const SupportPlane found{
       plane.X_CQ,
-      {plane.extent_Q.min().head<2>() - beyond, plane.extent_Q.max().head<2>() + beyond}};
+      {plane.extent_Q.min().head<2>() - beyond, plane.extent_Q.max().head<2>() + beyond},
+      plane.rms};
   const Eigen::Vector3d middle_P = plane.X_CQ.inverse() * body.centre_C();
   if (!found.extent_P.contains(middle_P.head<2>())) return std::nullopt;
   const Eigen::Vector3d n_Q = body.X_CQ.linear().transpose() * found.n_C();
   const double reach = n_Q.cwiseAbs().dot(0.5 * body.bounds_Q().sizes());
   const double foot = middle_P.z() - reach, top = middle_P.z() + reach;
-  if (foot > size || top < kMinShareAbove * size) return std::nullopt;
+  if (foot > size || top < kMinShareAbove * (top - foot)) return std::nullopt;
   return found;
 }
 

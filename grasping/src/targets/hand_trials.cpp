@@ -25,10 +25,10 @@ constexpr double kSigmas = 2.0;
 // Upper limit of that part of the distance [m]: where one view tells little, the estimate is seldom
 // as wrong as its deviation allows.
 constexpr double kMaxDoubt = 0.004;
-// Extra opening on either side beyond what a hold needs, in 80ths of the largest opening: medium,
-// wide, then narrow. On the Franka Hand these are 7, 14 and 0 mm. If a side is hidden, its place is
-// a guess, and the hand opens wide first.
-constexpr std::array kRooms = {7, 14, 0}, kRoomsIfHidden = {14, 7, 0};
+// Extra opening on either side beyond what a hold needs, in 80ths of the largest opening: wide,
+// medium, then none. On the Franka Hand these are 20, 7 and 0 mm. The wider the hand opens, the
+// less it matters how well the target's sides are known.
+constexpr std::array kRooms = {20, 7, 0};
 // A contact is contradicted if space is free at all of these depths below it, in voxels, but no
 // deeper than a share of the width.
 constexpr double kFreeDepths[] = {-0.5, 0.5, 1.5};
@@ -71,13 +71,10 @@ double pad_margin(double std, const PlanOptions& options) {
 
 /// Returns the openings of the hand to be tried, in this order [m].
 std::vector<double> preshapes(const ContactLine& line, const TargetTask& task) {
-  const double resolution = task.parts.space->resolution();
-  const bool seen = was_seen(line.contacts_C[0], *task.parts.map, resolution) &&
-                    was_seen(line.contacts_C[1], *task.parts.map, resolution);
   const double needed = min_opening(line, task.parts.options);
   const double unit = task.parts.gripper.max_opening / 80.0;
   std::vector<double> openings;
-  for (const int room : seen ? kRooms : kRoomsIfHidden) {
+  for (const int room : kRooms) {
     const double opening = std::min(needed + 2.0 * (unit * room), task.parts.gripper.max_opening);
     if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
       openings.push_back(opening);
@@ -97,6 +94,9 @@ ApproachSpace approach_space(const TargetTask& task) {
   const Eigen::Vector3d ray = task.parts.view_of(task.target).p_CV() - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
   space.up_C = task.target.up_C();
+  if (!task.target.supports.empty()) {
+    space.height = task.target.supports.front().distance(space.centre_C);
+  }
   space.wanted = task.query.approach;
   return space;
 }
@@ -248,8 +248,8 @@ bool HandTrials::try_hand(const Attempt& attempt) {
       return true;
     }
     obstructed(*why);
-    // A narrower opening may keep the required clearance.
-    if (*why != Refusal::kClearance) return false;
+    // A narrower opening may keep the required clearance, or enough for the required score.
+    if (*why != Refusal::kClearance && *why != Refusal::kScore) return false;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "grasping/scenes.hpp"
@@ -202,4 +203,40 @@ TEST_CASE("a high wall is held deep", "[contacts][points]") {
 
 TEST_CASE("the edge of a surface that bends away below it is no thin wall", "[contacts][points]") {
   CHECK(thin_holds(wall_seen_in_front(2.0), true) == 0);
+}
+
+TEST_CASE("tips stop above what a thing that lies flat stands on", "[contacts][points]") {
+  // A bar of 12 x 13 x 120 mm, whose top and two long sides are known.
+  const Eigen::Vector3d centre(0.0, 0.0, 0.7), along = Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d across = kTowardsSky.cross(along);
+  SurfacePoints points;
+  for (double x = -0.06; x <= 0.06; x += 0.0025) {
+    for (double s = -0.006; s <= 0.006; s += 0.002) {
+      const std::pair<Eigen::Vector3d, Eigen::Vector3d> sides[] = {
+          {s * across + 0.0065 * kTowardsSky, kTowardsSky},
+          {0.006 * across + s * kTowardsSky, across},
+          {-0.006 * across + s * kTowardsSky, -across}};
+      for (const auto& [offset, normal] : sides) {
+        points.p_C.push_back(centre + x * along + offset);
+        points.n_C.push_back(normal);
+      }
+    }
+  }
+  const Gripper hand = franka_hand();
+  ApproachSpace space = space_around(centre);
+  space.height = 0.0065;
+  int steep = 0;
+  for (const Hold& hold : point_holds(points, all_own(points), hand, space, {}, kMaxFriction)) {
+    const Eigen::Vector3d& closing = hold.line.closing_C;
+    if (std::abs(closing.dot(kTowardsSky)) > 1e-9 || hold.approach_C.dot(kTowardsSky) > -0.5) {
+      continue;
+    }
+    const Eigen::Vector3d tip = hold.line.centre_C + hand.finger_front * hold.approach_C;
+    const double lean = std::abs(closing.cross(hold.approach_C).dot(kTowardsSky));
+    const double lowest = (tip - centre).dot(kTowardsSky) - 0.5 * hand.finger.x() * lean;
+    CHECK(lowest + space.height > 0.002);
+    CHECK(lowest < 0.0065);
+    ++steep;
+  }
+  CHECK(steep > 5);
 }

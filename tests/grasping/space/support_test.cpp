@@ -45,3 +45,19 @@ TEST_CASE("a plane whose pose is none supports nothing", "[support][hostile]") {
     }
   }
 }
+
+TEST_CASE("a thing that lies flat stands on what it lies on, however long it is", "[support]") {
+  Body plate;
+  plate.profile = Body::Profile::kBox;
+  plate.a = 0.08, plate.b = 0.03, plate.z_min = -0.005, plate.z_max = 0.005;
+  const Detection table = table_detection();
+  const auto stands = [&](double height) {
+    plate.X_CQ = table.X_CQ;
+    plate.X_CQ.translation() = table.X_CQ * Eigen::Vector3d(0.0, 0.0, height);
+    return !supports_of(plate, {table}).empty();
+  };
+  CHECK(stands(0.005));
+  // Fits may put the foot into the table, but not most of the body.
+  CHECK(stands(-0.002));
+  CHECK_FALSE(stands(-0.003));
+}

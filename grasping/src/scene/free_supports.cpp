@@ -1,0 +1,106 @@
+#include "scene/free_supports.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace quadrille {
+namespace {
+
+// A point lies on a plane up to this many standard deviations of the plane's points above it: at
+// least the first height, to which planes are flat, and at most the second, up to which points
+// count as a support's everywhere [m].
+constexpr double kSigmas = 3.0, kLeastHeight = 0.002, kMostHeight = 0.006;
+// Far more than what rounding changes in the place of a plane that is given by another of its
+// points [m].
+constexpr double kSamePlace = 1e-9;
+
+double height_of(const SupportPlane& plane) {
+  return std::clamp(kSigmas * plane.noise, kLeastHeight, kMostHeight);
+}
+
+bool reaches(const SupportPlane& plane, const Eigen::Vector3d& p_C) {
+  return plane.extent_P.contains((plane.X_CP.inverse() * p_C).head<2>());
+}
+
+/// The planes on which targets stand, each once.
+std::vector<SupportPlane> all_supports(const SceneParts& parts) {
+  std::vector<SupportPlane> planes;
+  for (const Target& target : parts.targets) {
+    for (const SupportPlane& plane : target.supports) {
+      const bool known = std::any_of(planes.begin(), planes.end(), [&](const SupportPlane& other) {
+        return other.n_C() == plane.n_C() &&
+               std::abs(other.distance(plane.X_CP.translation())) < kSamePlace;
+      });
+      if (!known) planes.push_back(plane);
+    }
+  }
+  return planes;
+}
+
+/// Returns how many points above a plane a voxel must hold so that they are no strays: two where a
+/// view has several in each voxel, else one.
+std::size_t fewest_above(const SupportPlane& plane, const SceneParts& parts) {
+  // With so many points along an edge, voxels of a plane seen at 60° have four or five of them.
+  constexpr double kAlongEdge = 3.0;
+  if (parts.views.empty() || !parts.views.front().valid()) return 1;
+  const DepthView& view = parts.views.front();
+  const double spacing = view.spacing(view.to_view(plane.X_CP.translation()).z());
+  return kAlongEdge * spacing < parts.space->resolution() ? 2 : 1;
+}
+
+/// The voxels near a plane that hold points above it.
+class VoxelsAbove {
+ public:
+  /// @param highest  height above which no point lies in a voxel near the plane [m]
+  VoxelsAbove(const SupportPlane& plane, const SceneParts& parts, double highest)
+      : edge_(parts.space->resolution()) {
+    const auto low = static_cast<float>(height_of(plane)), high = static_cast<float>(highest);
+    const Eigen::Vector3f n_C = plane.n_C().cast<float>();
+    const auto offset = static_cast<float>(plane.n_C().dot(plane.X_CP.translation()));
+    std::vector<Key> keys;
+    for (const Eigen::Vector3f& p_C : parts.points.p_C) {
+      const float height = n_C.x() * p_C.x() + n_C.y() * p_C.y() + n_C.z() * p_C.z() - offset;
+      if (height > low && height < high) keys.push_back(key_of(p_C.cast<double>()));
+    }
+    std::sort(keys.begin(), keys.end());
+    const std::size_t fewest = fewest_above(plane, parts);
+    for (std::size_t n = fewest - 1; n < keys.size(); ++n) {
+      const bool enough = keys[n] == keys[n + 1 - fewest];
+      if (enough && (keys_.empty() || keys_.back() != keys[n])) keys_.push_back(keys[n]);
+    }
+  }
+
+  bool contain(const Eigen::Vector3d& centre_C) const {
+    return std::binary_search(keys_.begin(), keys_.end(), key_of(centre_C));
+  }
+
+ private:
+  using Key = std::array<int, 3>;
+  Key key_of(const Eigen::Vector3d& p_C) const {
+    const Eigen::Vector3i key = (p_C / edge_).array().floor().cast<int>();
+    return {key.x(), key.y(), key.z()};
+  }
+
+  double edge_;
+  std::vector<Key> keys_;
+};
+
+}  // namespace
+
+void free_supports(const SceneParts& parts, ObstacleMap* map) {
+  for (const SupportPlane& plane : all_supports(parts)) {
+    // No part of a voxel lies farther from the plane than its centre does and this.
+    const double reach = 0.5 * parts.space->resolution() * plane.n_C().cwiseAbs().sum();
+    const double highest = height_of(plane) + reach;
+    const VoxelsAbove above(plane, parts, highest + reach);
+    map->free_occupied([&](const Eigen::Vector3d& centre_C) {
+      return std::abs(plane.distance(centre_C)) < highest && reaches(plane, centre_C) &&
+             !above.contain(centre_C);
+    });
+  }
+}
+
+}  // namespace quadrille

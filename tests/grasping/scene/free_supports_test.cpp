@@ -1,0 +1,96 @@
+#include "scene/free_supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "grasping/mapped_scene.hpp"
+#include "space/support.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+/// Two balls on a table, and the parts that tell what the balls stand on.
+struct StandingScene {
+  Scene scene;
+  SceneParts parts;
+
+  explicit StandingScene(double noise = 0.0) {
+    parts.space = std::make_shared<OccupancyGrid>(scene.grid);
+    parts.points.p_C = scene.cloud.points;
+    Detection table = table_detection();
+    table.rms = noise;
+    for (const Ball& ball : scene.balls) {
+      Target& target = parts.targets.emplace_back();
+      target.body = *make_body(sphere_detection(ball));
+      target.supports = supports_of(target.body, {table});
+    }
+  }
+  ObstacleMap freed() const {
+    ObstacleMap map(*parts.space, false);
+    free_supports(parts, &map);
+    return map;
+  }
+};
+
+double height(const Eigen::Vector3f& p_C) {
+  return (table_detection().X_CQ.inverse() * p_C.cast<double>()).z();
+}
+
+}  // namespace
+
+TEST_CASE("the voxels of a table give way, and those of the things on it do not",
+          "[supports][occupancy]") {
+  const StandingScene standing;
+  const ObstacleMap before(*standing.parts.space, false), after = standing.freed();
+  int table = 0, things = 0;
+  for (const Eigen::Vector3f& p_C : standing.scene.cloud.points) {
+    const Eigen::Vector3d p = p_C.cast<double>();
+    if (!before.is_occupied(p)) continue;
+    const Eigen::Vector3d here = table_detection().X_CQ.inverse() * p;
+    // Farther from the middle than the two balls and a voxel reach.
+    const bool beside = std::hypot(here.x() - 0.045, here.y() - 0.01) > 0.09;
+    if (height(p_C) > 0.002) {
+      CHECK(after.is_occupied(p));
+      ++things;
+    } else if (beside) {
+      CHECK_FALSE(after.is_occupied(p));
+      ++table;
+    }
+  }
+  CHECK(table > 1000);
+  CHECK(things > 400);
+}
+
+TEST_CASE("what lies on a table is told from it if it is higher than the noise",
+          "[supports][occupancy]") {
+  const double lift = GENERATE(0.0015, 0.004, 0.007), noise = GENERATE(0.0, 0.001, 0.002);
+  StandingScene standing(noise);
+  // A part of the table is moved up, along the rays of the sensor: a sheet that lies on it.
+  const Detection table = table_detection();
+  const Eigen::Vector3d n = table.X_CQ.linear().col(2);
+  PointCloud cloud = standing.scene.cloud;
+  std::vector<Eigen::Vector3d> sheet;
+  for (Eigen::Vector3f& p : cloud.points) {
+    const Eigen::Vector3d p_C = p.cast<double>(), here = table.X_CQ.inverse() * p_C;
+    // Missing points are NaN.
+    const bool on_patch =
+        here.z() < 1e-3 && std::abs(here.x() + 0.09) < 0.02 && std::abs(here.y()) < 0.02;
+    if (!on_patch) continue;
+    sheet.push_back(p_C * ((n.dot(table.X_CQ.translation()) + lift) / n.dot(p_C)));
+    p = sheet.back().cast<float>();
+  }
+  REQUIRE(sheet.size() > 60);
+  standing.parts.space = std::make_shared<OccupancyGrid>(map_of(cloud, DepthView(cloud)));
+  standing.parts.points.p_C = cloud.points;
+  const ObstacleMap map = standing.freed();
+  const auto occupied = std::count_if(sheet.begin(), sheet.end(),
+                                      [&](const auto& p_C) { return map.is_occupied(p_C); });
+  const double share = static_cast<double>(occupied) / static_cast<double>(sheet.size());
+  CAPTURE(lift, noise, share);
+  CHECK((lift > std::max(0.002, 3.0 * noise) ? share > 0.9 : share == 0.0));
+}
