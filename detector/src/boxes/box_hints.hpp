@@ -13,7 +13,7 @@ namespace quadrille {
 
 /// Places where a box may be although its faces were not detected as planes.
 struct BoxHints {
-  /// Flat pieces of surface that are too small or too bent for a plane.
+  /// Patches about flat surface that is too small or too bent for a plane.
   std::vector<FlatPatch> patches;
   /// Things whose sides are at right angles.
   std::vector<BoxSeed> seeds;

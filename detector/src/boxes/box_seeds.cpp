@@ -24,7 +24,8 @@ constexpr double kMaxTilt = 0.5;
 // Least share of a piece's samples that belong to a side. Of the mantle of a cylinder only .64 do;
 // with a lid they may be more, and then its sides are refused because they bend.
 constexpr double kMinShare = 0.7;
-// The sides and the axes are found in turn, so often.
+// The sides and the axes are found in turn, so often. After two rounds one of 176 boxes in
+// simulated scenes still changes, by .2 mm; ten rounds change nothing.
 constexpr int kRounds = 5;
 // So many normals are tried for the first axis, evenly chosen: a side that has a tenth of the
 // samples has six of them.

@@ -35,12 +35,13 @@ inline constexpr double kAround = 0.02;
 /// Unit normal of a plane on the side that the sensor saw.
 Eigen::Vector3d outward_normal(const Detection& plane);
 
-/// A connected piece of a plane, which may be a face of a box.
+/// A connected piece of a plane in the cloud, which may be a side of a box. Faces are sought in
+/// patches, rectangles that tell where and how a face may lie (FacePatch).
 struct Face {
   /// Id and confidence of the plane's detection; 0 if it was not detected.
   int id = 0;
   double score = 0.0;
-  /// True if the face was found only as a flat patch among other samples.
+  /// True if the face was sought in a flat patch among other samples, not at a detected plane.
   bool is_patch = false;
   /// Outward unit normal, and offset of the plane n·x = offset [m].
   Eigen::Vector3d n_C = Eigen::Vector3d::UnitZ();
@@ -72,8 +73,8 @@ struct Face {
   std::pair<double, double> reach(const Eigen::Vector3d& u_C) const;
 };
 
-/// A rectangle in which a face is sought, with half sizes [m] around the origin of frame P and z
-/// along the outward normal.
+/// A patch: a rectangle in which a face is sought, with half sizes [m] around the origin of frame P
+/// and z along the outward normal.
 struct FacePatch {
   Eigen::Isometry3d X_CP = Eigen::Isometry3d::Identity();
   Eigen::Vector2d half = Eigen::Vector2d::Zero();

@@ -15,7 +15,9 @@ namespace {
 
 // An edge counts as seen if at least this share of the rows see it.
 constexpr double kMinSeenShare = 0.3;
-// So many points beside the end of a row tell whether the face ends there.
+// So many points beside the end of a row tell whether the face ends there: two columns of a row,
+// which is 2.5 pitches wide. With two points 16 of 176 boxes in simulated scenes change by more
+// than half a millimetre and three are lost, with ten 11 change and four are lost.
 constexpr std::size_t kBeside = 5;
 // A point beside a row touches the row's end if it is no farther from it than this many times their
 // distance within the plane (true of a table that is seen at 14° or more), plus the edge's

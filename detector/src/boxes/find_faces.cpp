@@ -6,7 +6,7 @@
 
 #include "base/quantile.hpp"
 #include "base/symmetric_eigen.hpp"
-#include "boxes/face_pieces.hpp"
+#include "boxes/face_finder.hpp"
 #include "samples/height_fit.hpp"
 
 namespace quadrille {
@@ -42,17 +42,17 @@ double area_of(const Face& face) {
   return static_cast<double>(face.points_C.size()) * face.pitch * face.pitch / face.cosine;
 }
 
-/// How far the normal turns across a piece of surface [rad], by a quadratic fit to its points:
+/// How far the normal turns across a face [rad], by a quadratic fit to its points:
 /// nearly 0 on a flat face, about 1 on the strip of a cylinder that is thin enough to pass for a
 /// plane.
-double turn_across(const Piece& piece) {
-  const Eigen::Vector3d n = piece.face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+double turn_across(const MeasuredFace& measured) {
+  const Eigen::Vector3d n = measured.face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
   HeightFit fit;
   std::vector<Eigen::Vector2d> places;
-  for (const Eigen::Vector3d& p : piece.measured_C) {
-    const Eigen::Vector3d x = p - piece.face.middle_C;
+  for (const Eigen::Vector3d& p : measured.measured_C) {
+    const Eigen::Vector3d x = p - measured.face.middle_C;
     places.emplace_back(x.dot(e1), x.dot(e2));
-    fit.add(places.back().x(), places.back().y(), piece.face.height(p));
+    fit.add(places.back().x(), places.back().y(), measured.face.height(p));
   }
   const HeightFit::Vector6 a = fit.factor().solve(fit.b);
   Eigen::Matrix2d H;
@@ -69,13 +69,13 @@ double turn_across(const Piece& piece) {
   return turn;
 }
 
-/// The piece after it was fitted to its own points again and again, as long as it grows; nullopt
-/// if there is none.
-std::optional<Piece> grown(const Piece& piece, const Eigen::Matrix3d& R_CL,
-                           const PieceFinder& finder) {
-  std::optional<Piece> best;
+/// A face after it was fitted to its own points again and again, as long as it grows; nullopt if
+/// there is none.
+std::optional<MeasuredFace> grown(const MeasuredFace& measured, const Eigen::Matrix3d& R_CL,
+                                  const FaceFinder& finder) {
+  std::optional<MeasuredFace> best;
   for (int round = 0; round < kMaxRefits; ++round) {
-    std::optional<Piece> next = finder.refitted(best ? *best : piece, R_CL);
+    std::optional<MeasuredFace> next = finder.refitted(best ? *best : measured, R_CL);
     if (!next) break;
     if (best && area_of(next->face) < kMinGrowth * area_of(best->face)) break;
     best = std::move(next);
@@ -83,39 +83,40 @@ std::optional<Piece> grown(const Piece& piece, const Eigen::Matrix3d& R_CL,
   return best;
 }
 
-/// The largest piece at a patch, in the plane that is fitted to it.
+/// The largest face in a patch, with the plane that is fitted to it.
 /// @param sigma  noise of the points along the patch's normal [m]
-std::optional<Piece> piece_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
-  const PieceFinder finder(sight, kMaxNoise * sigma);
-  const std::vector<Piece> pieces = finder.pieces_of(patch, sigma);
-  if (pieces.empty()) return std::nullopt;
-  return finder.refitted(pieces.front(), patch.X_CP.linear());
+std::optional<MeasuredFace> measured_face_at(const FacePatch& patch, double sigma,
+                                             const DirectionIndex& sight) {
+  const FaceFinder finder(sight, kMaxNoise * sigma);
+  const std::vector<MeasuredFace> found = finder.faces_in(patch, sigma);
+  if (found.empty()) return std::nullopt;
+  return finder.refitted(found.front(), patch.X_CP.linear());
 }
 
 /// The face that grows from a patch; nullopt if there is none, or if it bends.
 std::optional<Face> flat_face(const FacePatch& patch, double sigma, const DirectionIndex& sight,
                               std::size_t max_points) {
-  const PieceFinder finder(sight, kMaxNoise * sigma, max_points);
-  const std::vector<Piece> pieces = finder.pieces_of(patch, sigma);
-  if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = grown(pieces.front(), patch.X_CP.linear(), finder);
-  if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
-  piece->face.is_patch = true;
-  return std::move(piece->face);
+  const FaceFinder finder(sight, kMaxNoise * sigma, max_points);
+  const std::vector<MeasuredFace> found = finder.faces_in(patch, sigma);
+  if (found.empty()) return std::nullopt;
+  std::optional<MeasuredFace> measured = grown(found.front(), patch.X_CP.linear(), finder);
+  if (!measured || turn_across(*measured) > kMaxTurn) return std::nullopt;
+  measured->face.is_patch = true;
+  return std::move(measured->face);
 }
 
 }  // namespace
 
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
-  std::optional<Piece> piece = piece_at(patch, sigma, sight);
-  if (!piece) return std::nullopt;
-  return std::move(piece->face);
+  std::optional<MeasuredFace> measured = measured_face_at(patch, sigma, sight);
+  if (!measured) return std::nullopt;
+  return std::move(measured->face);
 }
 
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
-  std::optional<Piece> piece = piece_at(flat.patch, flat.sigma, sight);
-  if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
-  return std::move(piece->face);
+  std::optional<MeasuredFace> measured = measured_face_at(flat.patch, flat.sigma, sight);
+  if (!measured || turn_across(*measured) > kMaxTurn) return std::nullopt;
+  return std::move(measured->face);
 }
 
 std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight) {
@@ -130,14 +131,14 @@ std::optional<Face> finished_face(const Face& draft, const DirectionIndex& sight
 
 std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) {
   const FacePatch patch = patch_of(plane);
-  const PieceFinder finder(sight);
-  std::vector<Piece> pieces = finder.pieces_of(patch);
+  const FaceFinder finder(sight);
+  std::vector<MeasuredFace> found = finder.faces_in(patch);
   std::vector<Face> faces;
-  for (Piece& piece : pieces) {
-    // If a plane has several pieces, each has a plane of its own, and the common plane is only
+  for (MeasuredFace& measured : found) {
+    // If a plane has several faces, each has a plane of its own, and the common plane is only
     // their mean.
-    auto own = pieces.size() > 1 ? finder.refitted(piece, patch.X_CP.linear()) : std::nullopt;
-    faces.push_back(std::move(own ? own->face : piece.face));
+    auto own = found.size() > 1 ? finder.refitted(measured, patch.X_CP.linear()) : std::nullopt;
+    faces.push_back(std::move(own ? own->face : measured.face));
     faces.back().id = plane.id;
     faces.back().score = plane.score;
   }

@@ -9,7 +9,7 @@
 
 namespace quadrille {
 
-/// Finds flat pieces among samples that neither planes nor curved surfaces explain. They may be
+/// Finds flat patches among samples that neither planes nor curved surfaces explain. They may be
 /// faces of small boxes: rounded edges bend them too much for a plane that is sure, so they only
 /// tell where a face is sought.
 /// @param free  samples to use

@@ -25,6 +25,8 @@ constexpr double kCut = 4.0;
 // The fit begins with a cut that is wider by this factor, which falls to 1 in the first half of the
 // steps.
 constexpr double kFirstCut = 3.0;
+// The first half of the steps narrows the cut, the other half converges. With half as many steps,
+// 17 of 176 boxes in simulated scenes change by more than half a millimetre, with twice as many 9.
 constexpr int kSteps = 12;
 // An end moves inward by no more than this many standard deviations of its outline.
 constexpr double kMaxInward = 2.0;
@@ -79,9 +81,6 @@ class RoundedBoxFit {
   }
   BoxEnd& end(int k) { return ends_[k / 2][k % 2]; }
   const BoxEnd& end_of(const Outline& outline) const { return ends_[outline.axis][outline.upper]; }
-  int nearer_end(int axis, const Eigen::Vector3d& p_A) const {
-    return 2 * axis + (p_A[axis] > box_.box_A.center()[axis] ? 1 : 0);
-  }
 
   /// True if a point lies about an edge, away from ends that were not seen or that rest on a plane:
   /// there are points of other things.
@@ -92,7 +91,7 @@ class RoundedBoxFit {
     for (int axis = 0; axis < 3; ++axis) {
       if (beyond[axis] < -kMaxRadius) continue;
       ++sides;
-      const BoxEnd& end = this->end(nearer_end(axis, p_A));
+      const BoxEnd& end = this->end(box_.nearer_end(axis, p_A));
       if (!end.seen || (end.rests && beyond[axis] > -draft_.skin())) return false;
     }
     return sides >= 2;
@@ -118,23 +117,9 @@ class RoundedBoxFit {
   /// Adds the distance of a point from the rounded box.
   void add_point(const Eigen::Vector3d& p_A, double cut) {
     const double distance = box_.distance(p_A) / sigma_;
-    if (std::abs(distance) >= cut) return;
-    const Eigen::Vector3d q = box_.beyond_ends(p_A).array() + box_.radius;
-    Eigen::Vector3d normal = q.cwiseMax(0.0);
-    Unknowns derivatives = Unknowns::Zero();
-    if (normal.isZero(0.0)) {
-      Eigen::Index nearest = 0;
-      q.maxCoeff(&nearest);
-      normal[nearest] = 1.0;
-    } else {
-      normal.normalize();
-      derivatives[kRadius] = (normal.sum() - 1.0) / sigma_;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      derivatives[nearer_end(axis, p_A)] = -normal[axis] / sigma_;
-    }
+    if (!(std::abs(distance) < cut)) return;
     const double tukey = 1.0 - distance * distance / (cut * cut);
-    add(derivatives, distance, measurements_ * tukey * tukey);
+    add(box_.derivatives(p_A) / sigma_, distance, measurements_ * tukey * tukey);
   }
 
   /// Adds the distance of an end from an outline.

@@ -1,28 +1,13 @@
 #include "boxes/outline.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
+#include "walked_edge.hpp"
 
 namespace quadrille {
 namespace {
-
-/// How far a rounded edge seems to reach beyond the beginning of its rounding, by walking along its
-/// arc: as long as it is within the face's tolerance and its normal is turned to the eye.
-double shown_by_walking(const Outline& outline, double radius) {
-  const Face& face = *outline.face;
-  const Eigen::Vector3d to_eye_C = -face.middle_C.normalized();
-  double shown = 0.0;
-  for (double angle = 0.0; angle < 0.5 * M_PI; angle += 1e-4) {
-    const Eigen::Vector3d n_C = std::cos(angle) * face.n_C + std::sin(angle) * outline.out_C;
-    const double depth = radius * (1.0 - std::cos(angle));
-    if (depth > face.tolerance() || n_C.dot(to_eye_C) < 0.0) break;
-    shown = radius * std::sin(angle);
-  }
-  return shown;
-}
 
 TEST_CASE("what a rounded edge hides is what a walk along its arc does not see", "[boxes]") {
   const PointCloud cloud = test::render({test::sphere(test::translation(0, 0, 1), 0.2)}, {});
@@ -41,7 +26,7 @@ TEST_CASE("what a rounded edge hides is what a walk along its arc does not see",
           INFO("tilt " << tilt << ", noise " << sigma << ", radius " << radius << ", side "
                        << side);
           CHECK(outline.hidden(radius, sight) ==
-                Approx(radius - shown_by_walking(outline, radius)).margin(1e-5));
+                Approx(radius - test::shown_by_walking(outline, radius)).margin(1e-5));
         }
       }
     }

@@ -1,4 +1,4 @@
-#include "boxes/face_pieces.hpp"
+#include "boxes/face_finder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,11 +58,13 @@ double pitch_of(const std::vector<Eigen::Vector2d>& places, double cosine) {
   return std::max(kMinPitch, std::sqrt(cosine * area / std::max(1.0, double(inside))));
 }
 
-bool larger(const Piece& a, const Piece& b) { return a.measured_C.size() > b.measured_C.size(); }
+bool larger(const MeasuredFace& a, const MeasuredFace& b) {
+  return a.measured_C.size() > b.measured_C.size();
+}
 
-/// All pieces of a patch as one, with the place of each point in the patch.
+/// All faces in a patch as one, with the place of each point in the patch.
 struct PlacedPoints {
-  Piece whole;
+  MeasuredFace whole;
   std::vector<Eigen::Vector2d> places;
 };
 
@@ -97,40 +99,40 @@ void set_pitch(Face& face, const std::vector<Eigen::Vector2d>& places,
   face.pitch = pitch_of(places, face.cosine);
 }
 
-/// Divides a whole into its connected pieces of enough points, in any order.
-std::vector<Piece> divided(Piece whole, const std::vector<Eigen::Vector2d>& places) {
+/// Divides a whole into faces: its connected pieces that have enough points, in any order.
+std::vector<MeasuredFace> divided(MeasuredFace whole, const std::vector<Eigen::Vector2d>& places) {
   const double gap = std::max(1e-4, kGapPitches * whole.face.pitch / whole.face.cosine);
   const std::vector<int> number = connected_pieces(places, gap);
   const Buckets numbered =
       sort_into_buckets(number, 1 + *std::max_element(number.begin(), number.end()));
   const std::vector<Eigen::Vector3d> on_C = std::exchange(whole.face.points_C, {});
-  std::vector<Piece> pieces;
+  std::vector<MeasuredFace> found;
   for (int n = 0; n < numbered.size(); ++n) {
     if (numbered[n].size() < kMinPoints) continue;
-    Piece& piece = pieces.emplace_back(Piece{whole.face, {}});
-    piece.face.points_C.reserve(numbered[n].size());
-    piece.measured_C.reserve(numbered[n].size());
+    MeasuredFace& measured = found.emplace_back(MeasuredFace{whole.face, {}});
+    measured.face.points_C.reserve(numbered[n].size());
+    measured.measured_C.reserve(numbered[n].size());
     for (const int k : numbered[n]) {
-      piece.face.points_C.push_back(on_C[k]);
-      piece.measured_C.push_back(whole.measured_C[k]);
+      measured.face.points_C.push_back(on_C[k]);
+      measured.measured_C.push_back(whole.measured_C[k]);
     }
-    piece.face.set_middle();
+    measured.face.set_middle();
   }
-  return pieces;
+  return found;
 }
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> PieceFinder::points_around(const FacePatch& patch,
-                                                        const Face& plane) const {
+std::vector<Eigen::Vector3d> FaceFinder::points_around(const FacePatch& patch,
+                                                       const Face& plane) const {
   std::vector<Eigen::Vector3d> points =
       sight_.points_towards(corners_C(patch), kMaxTolerance, max_points_);
   std::erase_if(points, [&](const auto& p) { return std::abs(plane.height(p)) > kMaxTolerance; });
   return points;
 }
 
-std::vector<Piece> PieceFinder::pieces_of(const FacePatch& patch,
-                                          std::optional<double> sigma) const {
+std::vector<MeasuredFace> FaceFinder::faces_in(const FacePatch& patch,
+                                               std::optional<double> sigma) const {
   Face plane;
   plane.n_C = patch.X_CP.linear().col(2);
   plane.offset = plane.n_C.dot(patch.X_CP.translation());
@@ -139,15 +141,16 @@ std::vector<Piece> PieceFinder::pieces_of(const FacePatch& patch,
   auto [whole, places] = points_on(plane, patch, points, sight_);
   if (places.size() < kMinPoints) return {};
   set_pitch(whole.face, places, sight_);
-  std::vector<Piece> pieces = divided(std::move(whole), places);
-  std::stable_sort(pieces.begin(), pieces.end(), larger);
-  return pieces;
+  std::vector<MeasuredFace> found = divided(std::move(whole), places);
+  std::stable_sort(found.begin(), found.end(), larger);
+  return found;
 }
 
-std::optional<Piece> PieceFinder::refitted(const Piece& piece, const Eigen::Matrix3d& R_CL) const {
-  std::vector<Piece> pieces = pieces_of(patch_around(piece.measured_C, R_CL));
-  if (pieces.empty()) return std::nullopt;
-  return std::move(pieces.front());
+std::optional<MeasuredFace> FaceFinder::refitted(const MeasuredFace& measured,
+                                                 const Eigen::Matrix3d& R_CL) const {
+  std::vector<MeasuredFace> found = faces_in(patch_around(measured.measured_C, R_CL));
+  if (found.empty()) return std::nullopt;
+  return std::move(found.front());
 }
 
 }  // namespace quadrille
