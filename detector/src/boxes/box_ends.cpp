@@ -1,6 +1,7 @@
 #include "boxes/box_ends.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -18,6 +19,10 @@ constexpr double kPlaneStd = 0.0005;
 // The outlines of two faces tell the same end if they are no farther apart than this many standard
 // deviations, beside the rounding.
 constexpr double kMaxApart = 3.0;
+// A sensor mixes pixels if points float in this share of the rows that tell, of so many rows at
+// least. In simulated scenes it is 1 for most outlines of sensors that mix, and 0 for most others.
+constexpr double kMinMixed = 0.7;
+constexpr int kMinRows = 8;
 
 /// An end that is a face: the median position of the face's points along the axis.
 BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
@@ -28,17 +33,54 @@ BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
   return {median(heights), std::hypot(kPlaneStd, noise), true};
 }
 
+/// The edges of each face in the directions of all ends, at 2 · axis + upper.
+using FaceEdges = std::vector<std::array<FaceEdge, 6>>;
+
+/// True if the sensor mixes pixels at outlines: in most rows that tell points float between a face
+/// and what lies behind.
+bool are_mixed(const FaceEdges& edges) {
+  int rows = 0, mixed = 0;
+  for (const auto& of_face : edges) {
+    for (const FaceEdge& edge : of_face) {
+      rows += edge.mixed.rows;
+      mixed += edge.mixed.mixed;
+    }
+  }
+  return rows >= kMinRows && mixed >= kMinMixed * rows;
+}
+
+/// Finds these edges. Where the sensor mixed pixels, the edge lies beyond the rows of the face. The
+/// outlines of all faces tell together whether the sensor mixes, since a thing behind one of them
+/// may look as if it did.
+FaceEdges edges_of(const BoxDraft& draft) {
+  FaceEdges edges(draft.faces.size());
+  for (int i = 0; i < static_cast<int>(edges.size()); ++i) {
+    for (int k = 0; k < 6; ++k) {
+      if (k / 2 == i || draft.face_on(k / 2, k % 2)) continue;
+      edges[i][k] =
+          edge_of(*draft.faces[i], draft.out_C(k / 2, k % 2), draft.seen_through[i], *draft.sight);
+    }
+  }
+  if (!are_mixed(edges)) return edges;
+  for (auto& of_face : edges) {
+    for (FaceEdge& edge : of_face) {
+      edge.at += edge.mixed.reach;
+      edge.std = std::hypot(edge.std, edge.mixed.std);
+    }
+  }
+  return edges;
+}
+
 /// The outlines that tell where an end is: those of the faces that lie along the axis. A face that
 /// bulges or is hidden in part may end early, so of two outlines that are far apart the farther one
 /// is kept. Otherwise those that were seen are kept, if there are any.
-std::vector<Outline> outlines_of(const BoxDraft& draft, int axis, int upper) {
+std::vector<Outline> outlines_of(const BoxDraft& draft, const FaceEdges& edges, int axis,
+                                 int upper) {
   const Eigen::Vector3d out_C = draft.out_C(axis, upper);
   std::vector<Outline> outlines;
   for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
     if (i == axis) continue;
-    const Face& face = *draft.faces[i];
-    outlines.push_back(
-        {&face, axis, upper, out_C, edge_of(face, out_C, draft.seen_through[i], *draft.sight)});
+    outlines.push_back({draft.faces[i], axis, upper, out_C, edges[i][2 * axis + upper]});
   }
   if (outlines.size() < 2) return outlines;
   const FaceEdge &a = outlines.front().edge, &b = outlines.back().edge;
@@ -94,10 +136,10 @@ BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes
 }
 
 /// Finds an end, and adds the outlines that show it to a list.
-BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& planes, int axis,
-                int upper, std::vector<Outline>* shown) {
+BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& planes,
+                const FaceEdges& edges, int axis, int upper, std::vector<Outline>* shown) {
   if (const Face* face = draft.face_on(axis, upper)) return plane_end(draft, *face, axis, upper);
-  const std::vector<Outline> outlines = outlines_of(draft, axis, upper);
+  const std::vector<Outline> outlines = outlines_of(draft, edges, axis, upper);
   const BoxEnd end = outline_end(draft, outlines, axis, upper);
   if (!end.seen) return end;
   shown->insert(shown->end(), outlines.begin(), outlines.end());
@@ -136,10 +178,11 @@ BoxEnd bounded(const BoxDraft& draft, const std::vector<const Detection*>& plane
 
 SeenEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
   SeenEnds seen;
+  const FaceEdges edges = edges_of(draft);
   std::vector<Outline> shown;
   for (int axis = 0; axis < 3; ++axis) {
     for (int upper = 0; upper < 2; ++upper) {
-      seen.ends[axis][upper] = find_end(draft, planes, axis, upper, &shown);
+      seen.ends[axis][upper] = find_end(draft, planes, edges, axis, upper, &shown);
     }
   }
   // The radius of an edge can be seen only where two faces meet.

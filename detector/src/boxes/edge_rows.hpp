@@ -11,10 +11,10 @@
 
 namespace quadrille {
 
-/// A point beside a face: its distance from the end of a row, along the row [m], and whether it
-/// shows that the face ends there.
+/// A point beside a face: its distance from the end of a row, along the row, its height over the
+/// face [m], and whether it shows that the face ends there.
 struct Beside {
-  double distance = 0.0;
+  double distance = 0.0, height = 0.0;
   bool shows_end = false;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/quantile.hpp"
 #include "boxes/edge_rows.hpp"
+#include "boxes/mixed_edge.hpp"
 #include "boxes/onto_plane.hpp"
 
 namespace quadrille {
@@ -63,7 +64,7 @@ void look_beside(const Face& face, const Eigen::Vector3d& out_C,
     const bool touches =
         seen.height > face.tolerance() &&
         (seen.p_C - row->last_C).norm() < kMaxSlant * beyond + face.tolerance() + kRounding;
-    row->beside.push_back({beyond, behind || touches});
+    row->beside.push_back({beyond, seen.height, behind || touches});
   }
   for (Row& row : rows.all()) row.seen = most_show_end(&row.beside);
 }
@@ -165,6 +166,7 @@ FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
   auto meeting = meeting_of(face, out_C, end, around, rows);
   if (meeting && lean_of(face, out_C, end, around, rows) > kMaxLean) meeting.reset();
   edge.meets = meeting.has_value();
+  if (edge.seen && !edge.meets) edge.mixed = mixed_pixels(rows, face.tolerance(), pitch);
   if (meeting && *meeting < edge.at) {
     edge.std = std::hypot(edge.std, edge.at - *meeting);
     edge.at = *meeting;

@@ -5,6 +5,7 @@
 
 #include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
+#include "boxes/mixed_edge.hpp"
 #include "boxes/seen_through_plane.hpp"
 
 namespace quadrille {
@@ -25,6 +26,8 @@ struct FaceEdge {
   /// True if another surface leaves the face here, so that `at` is where the two would meet if the
   /// edge were sharp.
   bool meets = false;
+  /// Pixels that the sensor mixed here; `at` takes no account of them.
+  MixedPixels mixed = {};
 };
 
 /// Finds the edge of a face from the last points of rows that run towards it. The edge is their
