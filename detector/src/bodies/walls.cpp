@@ -75,11 +75,11 @@ std::vector<std::pair<double, double>> common_heights(const Side& outer, const S
   return heights;
 }
 
-/// The thickness between two sides; nullopt if they do not overlap.
+/// The distance between two sides, without their numbers; nullopt if they do not overlap.
 /// @param between  covariance of the parameters of both, if they have any
-std::optional<BodyWall> thickness_between(const Side& outer, const Side& inner,
-                                          const SurfaceSamples& samples,
-                                          const std::optional<Eigen::MatrixXd>& between) {
+std::optional<WallGap> gap_between(const Side& outer, const Side& inner,
+                                   const SurfaceSamples& samples,
+                                   const std::optional<Eigen::MatrixXd>& between) {
   const double unit_a = outer.surface.local.scale, unit_b = inner.surface.local.scale;
   std::vector<Place> next_to_a, next_to_b;
   for (const auto& [z_a, z_b] : common_heights(outer, inner, samples)) {
@@ -98,14 +98,19 @@ std::optional<BodyWall> thickness_between(const Side& outer, const Side& inner,
   if (between) variance -= 2.0 * a.derivative.dot(*between * b.derivative);
   const double offset = std::hypot(unit_a * offset_std(outer.surface, samples),
                                    unit_b * offset_std(inner.surface, samples));
-  return BodyWall{b.value - a.value, std::hypot(std::sqrt(std::max(0.0, variance)), offset)};
+  return WallGap{0,
+                 0,
+                 b.value - a.value,
+                 std::hypot(std::sqrt(std::max(0.0, variance)), offset),
+                 -a.derivative,
+                 b.derivative};
 }
 
 }  // namespace
 
-std::vector<SeenWall> find_walls(std::span<const Detection> detections,
-                                 const std::vector<LastFit>& fits, const SurfaceSamples& samples,
-                                 std::span<const CommonAxis> axes) {
+std::vector<WallGap> find_gaps(std::span<const Detection> detections,
+                               const std::vector<LastFit>& fits, const SurfaceSamples& samples,
+                               std::span<const CommonAxis> axes) {
   std::vector<std::pair<int, AxialPart>> outside, inside;
   for (std::size_t k = 0; k < detections.size(); ++k) {
     if (!is_turned(fits[k])) continue;
@@ -113,17 +118,27 @@ std::vector<SeenWall> find_walls(std::span<const Detection> detections,
     if (!part) continue;
     (shows_inside(detections[k]) ? inside : outside).emplace_back(static_cast<int>(k), *part);
   }
-  std::vector<SeenWall> walls;
+  std::vector<WallGap> gaps;
   for (const auto& [a, part_a] : outside) {
     for (const auto& [b, part_b] : inside) {
       if (!share_axis(part_a, part_b)) continue;
-      const std::optional<BodyWall> wall =
-          thickness_between({fits[a].surface, part_a}, {fits[b].surface, part_b}, samples,
-                            parameter_covariance(a, b, axes));
-      if (!wall || !(wall->thickness > wall->std)) continue;
-      if (wall->thickness > kThickest * part_a.radius) continue;
-      walls.push_back({a, b, *wall});
+      std::optional<WallGap> gap = gap_between({fits[a].surface, part_a}, {fits[b].surface, part_b},
+                                               samples, parameter_covariance(a, b, axes));
+      if (!gap || gap->thickness > kThickest * part_a.radius) continue;
+      gap->outer = a, gap->inner = b;
+      gaps.push_back(std::move(*gap));
     }
+  }
+  return gaps;
+}
+
+std::vector<SeenWall> find_walls(std::span<const Detection> detections,
+                                 const std::vector<LastFit>& fits, const SurfaceSamples& samples,
+                                 std::span<const CommonAxis> axes) {
+  std::vector<SeenWall> walls;
+  for (const WallGap& gap : find_gaps(detections, fits, samples, axes)) {
+    if (!(gap.thickness > gap.std)) continue;
+    walls.push_back({gap.outer, gap.inner, BodyWall{gap.thickness, gap.std}});
   }
   return walls;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -18,13 +19,23 @@ struct SeenWall {
   BodyWall measured;
 };
 
-/// Finds pairs of surfaces about one axis that are the two sides of a wall, and measures its
-/// thickness.
+/// The distance from the inner to the outer one of two surfaces.
+struct WallGap {
+  /// Numbers of the surfaces.
+  int outer, inner;
+  /// The distance, negative if the inner one lies outside, and its standard deviation [m].
+  double thickness, std;
+  /// Derivative of the distance by the parameters of each surface's family.
+  Eigen::VectorXd by_outer, by_inner;
+};
+
+/// Finds pairs of surfaces about one axis that may be the two sides of a wall, and measures the
+/// distance between them.
 ///
-/// One side was seen from outside and the other from inside, they overlap along the axis, and the
-/// inner one lies within the outer one by more than the deviation of the distance between them. It
-/// is measured along the normals, as a mean over the heights of the overlap: a place midway between
-/// the two sides lies within the outer one by −f/|∇f|, and beyond the inner one by f/|∇f|.
+/// One side was seen from outside and the other from inside, and they overlap along the axis. The
+/// distance is measured along the normals, as a mean over the heights of the overlap: a place
+/// midway between the two sides lies within the outer one by −f/|∇f|, and beyond the inner one by
+/// f/|∇f|.
 ///
 /// Its variance follows from the covariance of the parameters of both fits. Surfaces that were
 /// fitted about one axis share the errors of its place, which move the near outer and the far inner
@@ -33,6 +44,12 @@ struct SeenWall {
 /// @param detections  the surfaces as they were measured
 /// @param fits        the surfaces, of the samples
 /// @param axes        the surfaces that were fitted about one axis
+std::vector<WallGap> find_gaps(std::span<const Detection> detections,
+                               const std::vector<LastFit>& fits, const SurfaceSamples& samples,
+                               std::span<const CommonAxis> axes);
+
+/// Finds the walls whose inner side lies within the outer one by more than the deviation of the
+/// distance between them; see find_gaps().
 std::vector<SeenWall> find_walls(std::span<const Detection> detections,
                                  const std::vector<LastFit>& fits, const SurfaceSamples& samples,
                                  std::span<const CommonAxis> axes);

@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "surfaces/surface_fit.hpp"
+#include "surfaces/usual_wall.hpp"
 #include "surfaces/wall_thickness.hpp"
 
 namespace quadrille {
 namespace {
 
-// Cups and bowls have walls of about 4 mm, two thirds of them between 2 and 6 mm [m].
-constexpr double kUsualThickness = 0.004, kThicknessSpread = 0.002;
 // Number of vessels with such walls for each that counts as one surface, of thin metal or plastic.
 constexpr double kVesselOdds = 3.0;
 // Thick earthenware has 6 to 7 mm. What is farther apart is not one wall [m].

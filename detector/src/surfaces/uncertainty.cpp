@@ -24,6 +24,10 @@ constexpr double kGuessShare = 0.5;
 // edge. It makes the errors of radii on simulated stereo, structured light and time of flight most
 // likely.
 constexpr double kOffsetShare = 0.8;
+// Share of that motion by which one place of a surface may differ from another. With a third the
+// two sides of cups that time of flight bends get one axis; residuals alone do not tell, since a
+// fit follows what bends.
+constexpr double kUnevenShare = 0.33;
 // Directions of the parameter space with a larger standard deviation count as undetermined; bodies
 // have about unit size.
 constexpr double kOpenStd = 0.5;
@@ -129,7 +133,9 @@ double variance_of_mean(const Surface& surface) {
 double bend_variance(const Surface& surface) {
   if (!shares_noise(surface)) return 0.0;
   const double noise = std::pow(surface.evidence.sigma / surface.local.scale, 2);
-  return std::max(0.0, surface.fit.rss / surface.fit.points - noise);
+  const double uneven = kUnevenShare * kOffsetShare * surface.evidence.cell / surface.local.scale;
+  return std::max(uneven * uneven * surface.evidence.correlation,
+                  surface.fit.rss / surface.fit.points - noise);
 }
 
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,

@@ -26,8 +26,9 @@ double variance_of_mean(const Surface& surface);
 
 /// Mean square of a surface's residuals less that of the measured noise, in the squared unit of its
 /// local coordinates. Residuals are larger than the noise if it has waves longer than the patches
-/// in which it is measured, if the depth image is bent or if the body has a flaw. Zero if
-/// neighbours do not share their noise.
+/// in which it is measured, if the depth image is bent or if the body has a flaw. At least a part
+/// of what the sensor moves surfaces by, see uncertainty_of(), since a fit follows what bends. Zero
+/// if neighbours do not share their noise.
 double bend_variance(const Surface& surface);
 
 /// Standard deviation of what the whole surface may be off along its normals, in the unit of its

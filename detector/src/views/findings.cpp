@@ -10,6 +10,7 @@
 
 #include "bodies/close_lengths.hpp"
 #include "bodies/common_axis.hpp"
+#include "bodies/expect_usual_walls.hpp"
 #include "bodies/find_bodies.hpp"
 #include "bodies/walls.hpp"
 #include "boxes/box_hints.hpp"
@@ -22,6 +23,7 @@
 #include "surfaces/measure.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/point_rms.hpp"
+#include "surfaces/sensor_correlation.hpp"
 #include "views/body_views.hpp"
 #include "views/joined_samples.hpp"
 #include "views/lids_of_views.hpp"
@@ -144,7 +146,8 @@ void add_planes(const Scene& scene, std::vector<std::optional<Detection>> planes
 Measured measure_all(const Scene& scene, const DetectorOptions& options) {
   Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}, {}};
   std::vector<int> sample_of(measured.owner.size(), -1);
-  const std::vector<Surface> surfaces = surfaces_off_planes(scene, &measured, &sample_of);
+  std::vector<Surface> surfaces = surfaces_off_planes(scene, &measured, &sample_of);
+  share_correlation(&surfaces);
 
   const bool seeks_planes = lets_pass(options.only, QuadricType::kPlane);
   std::vector<std::optional<Detection>> planes;
@@ -168,12 +171,14 @@ Measured measure_all(const Scene& scene, const DetectorOptions& options) {
     fits[k] = last_fit(surfaces[k], scene.finest, scatter, sights, outline);
     measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
   });
-  const std::vector<CommonAxis> axes = fit_common_axes(measured.detections, &fits);
-  for (const CommonAxis& axis : axes) {
-    for (const int k : axis.members) {
+  const auto measure_anew = [&](std::span<const int> changed) {
+    for (const int k : changed) {
       measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
     }
-  }
+  };
+  std::vector<CommonAxis> axes = fit_common_axes(measured.detections, &fits);
+  for (const CommonAxis& axis : axes) measure_anew(axis.members);
+  measure_anew(expect_usual_walls(measured.detections, scene.finest, &axes, &fits));
   close_lengths(fits, scene.finest, axes, &measured.detections);
   measured.walls = find_walls(measured.detections, fits, scene.finest, axes);
   if (seeks_planes) add_planes(scene, std::move(planes), &measured);

@@ -26,7 +26,8 @@ QUADRILLE_EXPORT std::string_view to_string(BodyKind kind);
 struct BodyWall {
   /// Distance between its outer and its inner side along their normals, and its standard deviation
   /// [m]. A sensor that smooths its image may move each side along its normals; these errors are
-  /// taken to be independent of each other.
+  /// taken to be independent of each other. That most walls are 4 ± 2 mm thick counts as one more
+  /// measurement.
   double thickness = 0.0, std = 0.0;
 };
 
