@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <utility>
 
 #include "bodies/joint_member.hpp"
 #include "bodies/profile.hpp"
@@ -73,21 +73,43 @@ Eigen::VectorXd offset_step(const Surface& surface) {
   return -surface.information.JtJ.ldlt().solve(surface.information.Jt1);
 }
 
+/// What the usual thickness tells about a wall.
+struct Innovation {
+  /// μ − t [m], and S [m²].
+  double difference, variance;
+};
+
+Innovation innovation_of(const WallGap& gap) {
+  return {kUsualThickness - gap.thickness, gap.std * gap.std + kThicknessSpread * kThicknessSpread};
+}
+
+bool is_likely(const Innovation& innovation) {
+  const double& d = innovation.difference;
+  return d * d <= kMaxDeviations * kMaxDeviations * innovation.variance;
+}
+
 /// The change of surface k.
-/// @param difference  μ − t
-/// @param variance    S
 Change change_of(int k, const WallGap& gap, const WallParts& parts, const Surface& surface,
-                 const SurfaceSamples& samples, double difference, double variance) {
+                 const SurfaceSamples& samples) {
+  const auto [difference, S] = innovation_of(gap);
   const Eigen::VectorXd with_t =
       parts.between(k, gap.outer) * gap.by_outer + parts.between(k, gap.inner) * gap.by_inner;
-  Eigen::VectorXd gain = with_t / variance;
-  const Eigen::MatrixXd covariance = parts.between(k, k) - with_t * with_t.transpose() / variance;
-  if (k != gap.outer && k != gap.inner) return {k, gain * difference, covariance, {}};
-  const Eigen::VectorXd& by_own = k == gap.outer ? gap.by_outer : gap.by_inner;
-  const Eigen::VectorXd by_offset = offset_step(surface);
-  const double slope = by_own.dot(by_offset), offset = offset_std(surface, samples);
-  gain += offset * offset * slope / variance * by_offset;
-  return {k, gain * difference, covariance, by_offset - slope * gain};
+  Eigen::VectorXd gain = with_t / S;
+  Eigen::VectorXd by_offset;
+  // Variance of t that the own offset of the surface makes, which is accounted for apart.
+  double own = 0.0;
+  if (k == gap.outer || k == gap.inner) {
+    by_offset = offset_step(surface);
+    const double slope = (k == gap.outer ? gap.by_outer : gap.by_inner).dot(by_offset);
+    const double offset = offset_std(surface, samples);
+    gain += offset * offset * slope / S * by_offset;
+    by_offset -= slope * gain;
+    own = offset * offset * slope * slope;
+  }
+  const Eigen::MatrixXd both = with_t * gain.transpose();
+  return {k, gain * difference,
+          parts.between(k, k) - both - both.transpose() + (S - own) * gain * gain.transpose(),
+          std::move(by_offset)};
 }
 
 /// Gives a surface its changed parameters.
@@ -117,37 +139,45 @@ void narrow(const WallGap& gap, const WallParts& parts, double variance) {
   covariance.unknowns -= with_t * with_t.transpose() / variance;
 }
 
+/// Moves the surfaces of a wall, and notes what is known of its thickness then.
+/// @return their numbers
+std::vector<int> move_sides(const SurfaceSamples& samples, WallGap* gap,
+                            std::vector<CommonAxis>* axes, std::vector<LastFit>* fits) {
+  const WallParts parts(*gap, axes, *fits);
+  const auto [difference, variance] = innovation_of(*gap);
+  std::vector<Change> changes;
+  for (const int k : parts.numbers()) {
+    changes.push_back(change_of(k, *gap, parts, (*fits)[k].surface, samples));
+  }
+  if (parts.axis()) narrow(*gap, parts, variance);
+  for (const Change& change : changes) apply(change, &(*fits)[change.index]);
+  gap->thickness += gap->std * gap->std / variance * difference;
+  gap->std *= kThicknessSpread / std::sqrt(variance);
+  return parts.numbers();
+}
+
 }  // namespace
 
-std::vector<int> expect_usual_walls(std::span<const Detection> detections,
-                                    const SurfaceSamples& samples, std::vector<CommonAxis>* axes,
-                                    std::vector<LastFit>* fits) {
-  std::vector<WallGap> gaps = find_gaps(detections, *fits, samples, *axes);
-  std::stable_sort(gaps.begin(), gaps.end(),
+std::vector<int> expect_usual_walls(const SurfaceSamples& samples, std::vector<WallGap>* gaps,
+                                    std::vector<CommonAxis>* axes, std::vector<LastFit>* fits) {
+  std::stable_sort(gaps->begin(), gaps->end(),
                    [](const WallGap& a, const WallGap& b) { return a.std < b.std; });
   std::vector<char> has_moved(fits->size(), 0);
+  std::vector<WallGap> known;
   std::vector<int> result;
-  for (const WallGap& gap : gaps) {
-    const WallParts parts(gap, axes, *fits);
-    const std::vector<int> numbers = parts.numbers();
-    if (std::any_of(numbers.begin(), numbers.end(), [&](int k) { return has_moved[k] != 0; })) {
-      continue;
+  for (WallGap& gap : *gaps) {
+    const std::vector<int> numbers = WallParts(gap, axes, *fits).numbers();
+    const auto moved_before = [&](int k) { return has_moved[k] != 0; };
+    if (std::any_of(numbers.begin(), numbers.end(), moved_before)) continue;
+    if (is_likely(innovation_of(gap))) {
+      for (const int k : move_sides(samples, &gap, axes, fits)) {
+        has_moved[k] = 1;
+        result.push_back(k);
+      }
     }
-    const double variance = gap.std * gap.std + kThicknessSpread * kThicknessSpread;
-    const double difference = kUsualThickness - gap.thickness;
-    if (difference * difference > kMaxDeviations * kMaxDeviations * variance) continue;
-    std::vector<Change> changes;
-    for (const int k : numbers) {
-      const Surface& surface = (*fits)[k].surface;
-      changes.push_back(change_of(k, gap, parts, surface, samples, difference, variance));
-    }
-    if (parts.axis()) narrow(gap, parts, variance);
-    for (const Change& change : changes) {
-      apply(change, &(*fits)[change.index]);
-      has_moved[change.index] = 1;
-      result.push_back(change.index);
-    }
+    known.push_back(std::move(gap));
   }
+  *gaps = std::move(known);
   return result;
 }
 

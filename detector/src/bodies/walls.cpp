@@ -132,11 +132,9 @@ std::vector<WallGap> find_gaps(std::span<const Detection> detections,
   return gaps;
 }
 
-std::vector<SeenWall> find_walls(std::span<const Detection> detections,
-                                 const std::vector<LastFit>& fits, const SurfaceSamples& samples,
-                                 std::span<const CommonAxis> axes) {
+std::vector<SeenWall> seen_walls(std::span<const WallGap> gaps) {
   std::vector<SeenWall> walls;
-  for (const WallGap& gap : find_gaps(detections, fits, samples, axes)) {
+  for (const WallGap& gap : gaps) {
     if (!(gap.thickness > gap.std)) continue;
     walls.push_back({gap.outer, gap.inner, BodyWall{gap.thickness, gap.std}});
   }

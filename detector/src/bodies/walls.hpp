@@ -48,10 +48,7 @@ std::vector<WallGap> find_gaps(std::span<const Detection> detections,
                                const std::vector<LastFit>& fits, const SurfaceSamples& samples,
                                std::span<const CommonAxis> axes);
 
-/// Finds the walls whose inner side lies within the outer one by more than the deviation of the
-/// distance between them; see find_gaps().
-std::vector<SeenWall> find_walls(std::span<const Detection> detections,
-                                 const std::vector<LastFit>& fits, const SurfaceSamples& samples,
-                                 std::span<const CommonAxis> axes);
+/// The gaps that are larger than their deviation.
+std::vector<SeenWall> seen_walls(std::span<const WallGap> gaps);
 
 }  // namespace quadrille

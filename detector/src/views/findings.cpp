@@ -178,9 +178,10 @@ Measured measure_all(const Scene& scene, const DetectorOptions& options) {
   };
   std::vector<CommonAxis> axes = fit_common_axes(measured.detections, &fits);
   for (const CommonAxis& axis : axes) measure_anew(axis.members);
-  measure_anew(expect_usual_walls(measured.detections, scene.finest, &axes, &fits));
+  std::vector<WallGap> gaps = find_gaps(measured.detections, fits, scene.finest, axes);
+  measure_anew(expect_usual_walls(scene.finest, &gaps, &axes, &fits));
   close_lengths(fits, scene.finest, axes, &measured.detections);
-  measured.walls = find_walls(measured.detections, fits, scene.finest, axes);
+  measured.walls = seen_walls(gaps);
   if (seeks_planes) add_planes(scene, std::move(planes), &measured);
   return measured;
 }

@@ -52,6 +52,7 @@ struct Cup {
   std::vector<LastFit> fits;
   std::vector<Detection> detections;
   std::vector<CommonAxis> axes;
+  std::vector<WallGap> gaps;
 
   Cup(double radius, double thickness, double noise, std::uint64_t seed) {
     samples.first.push_back(0);
@@ -79,7 +80,8 @@ struct Cup {
     for (const LastFit& fit : fits) detections.push_back(measure(fit.surface, samples, kCupEye));
   }
   std::vector<int> expect_usual() {
-    std::vector<int> changed = expect_usual_walls(detections, samples, &axes, &fits);
+    gaps = find_gaps(detections, fits, samples, axes);
+    std::vector<int> changed = expect_usual_walls(samples, &gaps, &axes, &fits);
     measure_all();
     std::sort(changed.begin(), changed.end());
     return changed;
@@ -98,7 +100,7 @@ TEST_CASE("the usual thickness of walls makes the radii of cups better, and thei
   constexpr double kRadius = 0.04;
   RandomStream random(5, 0);
   double before = 0.0, after = 0.0, std_before = 0.0, std_after = 0.0;
-  int within = 0, seen = 0;
+  int within = 0, within_gap = 0, seen = 0;
   for (std::uint64_t k = 0; k < kCups; ++k) {
     const double thickness = std::clamp(0.004 + 0.002 * test::gaussian(random), 0.001, 0.009);
     Cup cup(kRadius, thickness, 0.002, k);
@@ -109,6 +111,10 @@ TEST_CASE("the usual thickness of walls makes the radii of cups better, and thei
       std_before += cup.radius(side).std;
     }
     REQUIRE(cup.expect_usual() == std::vector{0, 1});
+    REQUIRE(cup.gaps.size() == 1);
+    CHECK(cup.gaps[0].std < 0.002);
+    within_gap += std::abs(cup.gaps[0].thickness - thickness) < cup.gaps[0].std;
+    CHECK(cup.radius(0).value - cup.radius(1).value == Approx(cup.gaps[0].thickness).margin(1e-4));
     for (int side = 0; side < 2; ++side) {
       const Dimension& radius = cup.radius(side);
       after += std::pow(radius.value - truth[side], 2);
@@ -124,6 +130,8 @@ TEST_CASE("the usual thickness of walls makes the radii of cups better, and thei
   CHECK(std_after < 0.9 * std_before);
   CHECK(within > 0.55 * seen);
   CHECK(within < 0.85 * seen);
+  CHECK(within_gap > 0.5 * 0.5 * seen);
+  CHECK(within_gap < 0.5 * 0.85 * seen);
 }
 
 TEST_CASE("a thickness that the samples show stays as it is", "[bodies]") {
