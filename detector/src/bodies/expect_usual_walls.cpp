@@ -9,7 +9,6 @@
 
 #include "bodies/joint_member.hpp"
 #include "bodies/profile.hpp"
-#include "bodies/walls.hpp"
 #include "fit/distance_sums.hpp"
 #include "fit/posed_quadric.hpp"
 #include "surfaces/uncertainty.hpp"
@@ -18,59 +17,27 @@
 namespace quadrille {
 namespace {
 
-// A thickness that is farther from the usual one, in deviations of their difference, is another
-// thing than such a wall.
+// A thickness that is farther from the usual one, in deviations of their difference, is not that of
+// a usual wall: one of four hundred usual walls seems to be so far off.
 constexpr double kMaxDeviations = 3.0;
+// No root mean square distance grows by more than this factor. A usual thickness that asks for more
+// would tear the fit off its points.
+constexpr double kMaxWorse = 3.0;
 
-/// The surfaces that a wall moves, and the covariance of their parameters.
-class WallParts {
- public:
-  WallParts(const WallGap& gap, std::vector<CommonAxis>* axes, const std::vector<LastFit>& fits)
-      : fits_(fits), numbers_{gap.outer, gap.inner} {
-    for (CommonAxis& axis : *axes) {
-      const auto has = [&](int k) {
-        return std::find(axis.members.begin(), axis.members.end(), k) != axis.members.end();
-      };
-      if (has(gap.outer) && has(gap.inner)) axis_ = &axis, numbers_ = axis.members;
-    }
-  }
+/// Place of a surface among the members of an axis; their number if it is none of them.
+std::size_t place(const CommonAxis& axis, int k) {
+  return static_cast<std::size_t>(std::find(axis.members.begin(), axis.members.end(), k) -
+                                  axis.members.begin());
+}
 
-  const std::vector<int>& numbers() const { return numbers_; }
-  /// The common axis of both sides; null if they were fitted one by one.
-  CommonAxis* axis() const { return axis_; }
-
-  /// Covariance of the parameters of surface k with those of surface l.
-  Eigen::MatrixXd between(int k, int l) const {
-    if (axis_) return axis_->covariance.between(place(k), place(l));
-    const Eigen::MatrixXd own = parameter_covariance(fits_[k].surface);
-    if (k == l) return own;
-    return Eigen::MatrixXd::Zero(own.rows(), fits_[l].surface.information.JtJ.rows());
-  }
-  /// Place of a surface among the members of the axis.
-  std::size_t place(int k) const {
-    const std::vector<int>& members = axis_->members;
-    return static_cast<std::size_t>(std::find(members.begin(), members.end(), k) - members.begin());
-  }
-
- private:
-  const std::vector<LastFit>& fits_;
-  std::vector<int> numbers_;
-  CommonAxis* axis_ = nullptr;
-};
-
-/// How the parameters of one surface change.
-struct Change {
-  int index;
-  Eigen::VectorXd step;
-  Eigen::MatrixXd covariance;
-  /// What the sensor moves the parameters by, for each unit that it moves the surface by along its
-  /// normals; empty if that is as before.
-  Eigen::VectorXd by_offset;
-};
-
-/// What the sensor moves the parameters of a surface by; see Change::by_offset.
-Eigen::VectorXd offset_step(const Surface& surface) {
-  return -surface.information.JtJ.ldlt().solve(surface.information.Jt1);
+/// The axis about which both sides of a gap were fitted; null if there is none.
+CommonAxis* axis_of(const WallGap& gap, std::vector<CommonAxis>* axes) {
+  const auto has_both = [&](const CommonAxis& axis) {
+    const std::size_t none = axis.members.size();
+    return place(axis, gap.outer) < none && place(axis, gap.inner) < none;
+  };
+  const auto found = std::find_if(axes->begin(), axes->end(), has_both);
+  return found == axes->end() ? nullptr : &*found;
 }
 
 /// What the usual thickness tells about a wall.
@@ -83,23 +50,37 @@ Innovation innovation_of(const WallGap& gap) {
   return {kUsualThickness - gap.thickness, gap.std * gap.std + kThicknessSpread * kThicknessSpread};
 }
 
-bool is_likely(const Innovation& innovation) {
-  const double& d = innovation.difference;
-  return d * d <= kMaxDeviations * kMaxDeviations * innovation.variance;
+/// True if a gap may be that of a usual wall.
+bool may_be_usual(const WallGap& gap) {
+  const auto [difference, variance] = innovation_of(gap);
+  return difference * difference <= kMaxDeviations * kMaxDeviations * variance &&
+         gap.thickness - gap.std < kMaxThickness;
 }
 
-/// The change of surface k.
-Change change_of(int k, const WallGap& gap, const WallParts& parts, const Surface& surface,
+/// How the fit of one surface changes.
+struct Change {
+  PosedQuadric posed;
+  /// By which its sum of squares grows.
+  double growth;
+  /// Covariance of its parameters but for what the sensor moves it by, and that; see offset_step().
+  Eigen::MatrixXd covariance;
+  Eigen::VectorXd by_offset;
+};
+
+/// The change of member i of an axis.
+Change change_of(std::size_t i, const WallGap& gap, const CommonAxis& axis, const LastFit& fit,
                  const SurfaceSamples& samples) {
   const auto [difference, S] = innovation_of(gap);
-  const Eigen::VectorXd with_t =
-      parts.between(k, gap.outer) * gap.by_outer + parts.between(k, gap.inner) * gap.by_inner;
+  const Surface& surface = fit.surface;
+  const CoaxialCovariance& C = axis.covariance;
+  const Eigen::VectorXd with_t = C.between(i, place(axis, gap.outer)) * gap.by_outer +
+                                 C.between(i, place(axis, gap.inner)) * gap.by_inner;
   Eigen::VectorXd gain = with_t / S;
-  Eigen::VectorXd by_offset;
+  Eigen::VectorXd by_offset = offset_step(surface);
   // Variance of t that the own offset of the surface makes, which is accounted for apart.
   double own = 0.0;
+  const int k = axis.members[i];
   if (k == gap.outer || k == gap.inner) {
-    by_offset = offset_step(surface);
     const double slope = (k == gap.outer ? gap.by_outer : gap.by_inner).dot(by_offset);
     const double offset = offset_std(surface, samples);
     gain += offset * offset * slope / S * by_offset;
@@ -107,53 +88,60 @@ Change change_of(int k, const WallGap& gap, const WallParts& parts, const Surfac
     own = offset * offset * slope * slope;
   }
   const Eigen::MatrixXd both = with_t * gain.transpose();
-  return {k, gain * difference,
-          parts.between(k, k) - both - both.transpose() + (S - own) * gain * gain.transpose(),
+  const PosedQuadric posed = moved(surface.fit.family, surface.fit.posed, gain * difference);
+  DistanceSums<float> sums(fit.points);
+  const double before = sums.evaluate(surface.fit.posed.matrix()).squares();
+  // Exact points have no residuals that grow.
+  const double growth = before > 0.0 ? sums.evaluate(posed.matrix()).squares() / before : 1.0;
+  return {posed, growth,
+          C.between(i, i) - both - both.transpose() + (S - own) * gain * gain.transpose(),
           std::move(by_offset)};
 }
 
-/// Gives a surface its changed parameters.
-void apply(const Change& change, LastFit* fit) {
-  Surface& surface = fit->surface;
-  DistanceSums<float> sums(fit->points);
-  const double before = sums.evaluate(surface.fit.posed.matrix()).squares();
-  surface.fit.posed = moved(surface.fit.family, surface.fit.posed, change.step);
-  const double after = sums.evaluate(surface.fit.posed.matrix()).squares();
-  // Those of exact points are none.
-  if (before > 0.0) surface.fit.rss *= after / before;
-  surface.Q = surface.local.to_frame(surface.fit.posed.matrix()).normalized();
-  surface.rms = surface.local.scale * std::sqrt(surface.fit.rss / surface.fit.points);
+/// True if a surface may change so: it keeps its type and its points.
+bool is_possible(const Change& change, const Surface& surface) {
+  return canonical_form(change.posed).type == canonical_form(surface.fit.posed).type &&
+         change.growth < kMaxWorse * kMaxWorse;
+}
+
+void apply(const Change& change, Surface* surface) {
+  FamilyFit& fit = surface->fit;
+  fit.posed = change.posed;
+  fit.rss *= change.growth;
+  surface->Q = surface->local.to_frame(fit.posed.matrix()).normalized();
+  surface->rms = surface->local.scale * std::sqrt(fit.rss / fit.points);
   const auto I = Eigen::MatrixXd::Identity(change.covariance.rows(), change.covariance.cols());
-  surface.information.JtJ = variance_of(surface) * change.covariance.ldlt().solve(I);
-  if (change.by_offset.size() > 0) {
-    surface.information.Jt1 = -surface.information.JtJ * change.by_offset;
-  }
+  surface->information.JtJ = variance_of(*surface) * change.covariance.ldlt().solve(I);
+  surface->information.Jt1 = -surface->information.JtJ * change.by_offset;
 }
 
 /// Takes what is now known of a thickness into account in the covariance of a common axis.
-void narrow(const WallGap& gap, const WallParts& parts, double variance) {
-  CoaxialCovariance& covariance = parts.axis()->covariance;
-  const Eigen::VectorXd g = covariance.map[parts.place(gap.outer)].transpose() * gap.by_outer +
-                            covariance.map[parts.place(gap.inner)].transpose() * gap.by_inner;
+void narrow(const WallGap& gap, CommonAxis* axis) {
+  CoaxialCovariance& covariance = axis->covariance;
+  const Eigen::VectorXd g = covariance.map[place(*axis, gap.outer)].transpose() * gap.by_outer +
+                            covariance.map[place(*axis, gap.inner)].transpose() * gap.by_inner;
   const Eigen::VectorXd with_t = covariance.unknowns * g;
-  covariance.unknowns -= with_t * with_t.transpose() / variance;
+  covariance.unknowns -= with_t * with_t.transpose() / innovation_of(gap).variance;
 }
 
-/// Moves the surfaces of a wall, and notes what is known of its thickness then.
-/// @return their numbers
-std::vector<int> move_sides(const SurfaceSamples& samples, WallGap* gap,
-                            std::vector<CommonAxis>* axes, std::vector<LastFit>* fits) {
-  const WallParts parts(*gap, axes, *fits);
-  const auto [difference, variance] = innovation_of(*gap);
+/// Moves the surfaces about an axis, and notes what is known of the thickness then.
+/// @return false if that is not possible
+bool move_to_usual(const SurfaceSamples& samples, WallGap* gap, CommonAxis* axis,
+                   std::vector<LastFit>* fits) {
   std::vector<Change> changes;
-  for (const int k : parts.numbers()) {
-    changes.push_back(change_of(k, *gap, parts, (*fits)[k].surface, samples));
+  for (std::size_t i = 0; i < axis->members.size(); ++i) {
+    const LastFit& fit = (*fits)[axis->members[i]];
+    changes.push_back(change_of(i, *gap, *axis, fit, samples));
+    if (!is_possible(changes.back(), fit.surface)) return false;
   }
-  if (parts.axis()) narrow(*gap, parts, variance);
-  for (const Change& change : changes) apply(change, &(*fits)[change.index]);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    apply(changes[i], &(*fits)[axis->members[i]].surface);
+  }
+  narrow(*gap, axis);
+  const auto [difference, variance] = innovation_of(*gap);
   gap->thickness += gap->std * gap->std / variance * difference;
   gap->std *= kThicknessSpread / std::sqrt(variance);
-  return parts.numbers();
+  return true;
 }
 
 }  // namespace
@@ -163,17 +151,14 @@ std::vector<int> expect_usual_walls(const SurfaceSamples& samples, std::vector<W
   std::stable_sort(gaps->begin(), gaps->end(),
                    [](const WallGap& a, const WallGap& b) { return a.std < b.std; });
   std::vector<char> has_moved(fits->size(), 0);
-  std::vector<WallGap> known;
   std::vector<int> result;
+  std::vector<WallGap> known;
   for (WallGap& gap : *gaps) {
-    const std::vector<int> numbers = WallParts(gap, axes, *fits).numbers();
-    const auto moved_before = [&](int k) { return has_moved[k] != 0; };
-    if (std::any_of(numbers.begin(), numbers.end(), moved_before)) continue;
-    if (is_likely(innovation_of(gap))) {
-      for (const int k : move_sides(samples, &gap, axes, fits)) {
-        has_moved[k] = 1;
-        result.push_back(k);
-      }
+    if (has_moved[gap.outer] || has_moved[gap.inner]) continue;
+    CommonAxis* axis = axis_of(gap, axes);
+    if (axis && may_be_usual(gap) && move_to_usual(samples, &gap, axis, fits)) {
+      for (const int k : axis->members) has_moved[k] = 1;
+      result.insert(result.end(), axis->members.begin(), axis->members.end());
     }
     known.push_back(std::move(gap));
   }

@@ -20,9 +20,10 @@ namespace quadrille {
 /// With g = dt/dθ, K = (C g + Σ s sᵀ g var δ) / S and S = var t + σ², the most likely parameters
 /// are θ + K (μ − t), and what is left of an error e of the parameters is e − K gᵀ e.
 ///
-/// The other surfaces that were fitted about the same axis move with it. A thickness that is more
-/// than three deviations √S from the usual one is left alone. A surface moves with the wall that is
-/// known best, of those of which it may be a side.
+/// The other surfaces that were fitted about the same axis move with it. Sides without a common
+/// axis are left alone, as is a thickness that is more than three deviations √S from the usual one
+/// or surely above 8 mm, and a wall whose surfaces would leave their points. A surface moves with
+/// the wall that is known best, of those of which it may be a side.
 /// @param samples  of all surfaces
 /// @param gaps     receive what is known of the thickness then; those of which a side has moved
 ///                 with another wall are removed

@@ -65,6 +65,10 @@ Eigen::MatrixXd parameter_covariance(const Surface& surface) {
   return surface.fit.points * variance_of_mean(surface) * surface.information.JtJ.ldlt().solve(I);
 }
 
+Eigen::VectorXd offset_step(const Surface& surface) {
+  return -surface.information.JtJ.ldlt().solve(surface.information.Jt1);
+}
+
 std::optional<Eigen::MatrixXd> parameter_covariance(int a, int b,
                                                     std::span<const CommonAxis> axes) {
   for (const CommonAxis& axis : axes) {

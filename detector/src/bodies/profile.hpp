@@ -47,6 +47,10 @@ MeanDistance mean_distance(const Surface& surface, const std::vector<Place>& pla
 /// Covariance of the parameters of a surface's fit, shapes and then motions.
 Eigen::MatrixXd parameter_covariance(const Surface& surface);
 
+/// What the sensor moves the parameters of a surface's fit by, for each unit that it moves the
+/// surface by along its normals; see uncertainty_of().
+Eigen::VectorXd offset_step(const Surface& surface);
+
 /// Covariance of the parameters of two surfaces; nullopt if they were fitted one by one.
 std::optional<Eigen::MatrixXd> parameter_covariance(int a, int b, std::span<const CommonAxis> axes);
 

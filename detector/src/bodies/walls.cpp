@@ -96,8 +96,9 @@ std::optional<WallGap> gap_between(const Side& outer, const Side& inner,
   double variance = a.derivative.dot(parameter_covariance(outer.surface) * a.derivative) +
                     b.derivative.dot(parameter_covariance(inner.surface) * b.derivative);
   if (between) variance -= 2.0 * a.derivative.dot(*between * b.derivative);
-  const double offset = std::hypot(unit_a * offset_std(outer.surface, samples),
-                                   unit_b * offset_std(inner.surface, samples));
+  const double offset =
+      std::hypot(a.derivative.dot(offset_step(outer.surface)) * offset_std(outer.surface, samples),
+                 b.derivative.dot(offset_step(inner.surface)) * offset_std(inner.surface, samples));
   return WallGap{0,
                  0,
                  b.value - a.value,

@@ -14,8 +14,6 @@ namespace {
 
 // Number of vessels with such walls for each that counts as one surface, of thin metal or plastic.
 constexpr double kVesselOdds = 3.0;
-// Thick earthenware has 6 to 7 mm. What is farther apart is not one wall [m].
-constexpr double kMaxThickness = 0.008;
 
 /// Logarithm of the density of a normal distribution, but for a constant.
 double log_normal(double value, double mean, double variance) {
