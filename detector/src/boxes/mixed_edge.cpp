@@ -62,7 +62,9 @@ MixedPixels mixed_pixels(const Rows& rows, double tolerance, double pitch) {
   if (reaches.empty()) return found;
   found.reach = median(reaches);
   for (double& other : reaches) other -= found.reach;
-  found.std = robust_std(reaches) / std::sqrt(static_cast<double>(found.rows));
+  // Each reach is that of a point, so that the crossing lies within a pitch beyond it.
+  const double each = std::hypot(robust_std(reaches), pitch / std::sqrt(12.0));
+  found.std = each / std::sqrt(static_cast<double>(found.rows));
   return found;
 }
 

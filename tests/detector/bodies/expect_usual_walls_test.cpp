@@ -54,12 +54,13 @@ struct Cup {
   std::vector<CommonAxis> axes;
   std::vector<WallGap> gaps;
 
-  Cup(double radius, double thickness, double noise, std::uint64_t seed) {
+  /// @param outer, inner  radii of both sides [m]
+  /// @param correlation   of the noise of neighbours, which tells that the sensor moves surfaces
+  Cup(double outer, double inner, double noise, std::uint64_t seed, double correlation = 0.0) {
     samples.first.push_back(0);
     const std::vector<std::vector<int>> regions = {
-        append(test::cylinder_grid(16, 10, radius, kCupCell, noise, 2 * seed), &samples),
-        append(on_far_side(
-                   test::cylinder_grid(14, 8, radius - thickness, kCupCell, noise, 2 * seed + 1)),
+        append(test::cylinder_grid(16, 10, outer, kCupCell, noise, 2 * seed), &samples),
+        append(on_far_side(test::cylinder_grid(14, 8, inner, kCupCell, noise, 2 * seed + 1)),
                &samples)};
     AggregateOptions only_round;
     only_round.families = {Family::kCylinder};
@@ -69,6 +70,7 @@ struct Cup {
       REQUIRE(surface);
       fits.push_back(last_fit(*surface, samples, scatter, {}));
       fits.back().surface.evidence.sigma = noise;
+      fits.back().surface.evidence.correlation = correlation;
     }
     measure_all();
     axes = fit_common_axes(detections, &fits);
@@ -103,7 +105,7 @@ TEST_CASE("the usual thickness of walls makes the radii of cups better, and thei
   int within = 0, within_gap = 0, seen = 0;
   for (std::uint64_t k = 0; k < kCups; ++k) {
     const double thickness = std::clamp(0.004 + 0.002 * test::gaussian(random), 0.001, 0.007);
-    Cup cup(kRadius, thickness, 0.002, k);
+    Cup cup(kRadius, kRadius - thickness, 0.002, k);
     if (cup.axes.size() != 1 || !cup.is_round()) continue;
     const std::vector<double> truth = {kRadius, kRadius - thickness};
     const std::vector<Dimension> alone = {cup.radius(0), cup.radius(1)};
@@ -136,15 +138,51 @@ TEST_CASE("the usual thickness of walls makes the radii of cups better, and thei
   CHECK(within_gap < 0.5 * 0.85 * seen);
 }
 
+TEST_CASE("the usual thickness makes up for what a sensor moves each side by", "[bodies]") {
+  constexpr double kRadius = 0.04, kCorrelation = 0.5;
+  // As uncertainty_of() has it.
+  const double moves = 0.8 * std::sqrt(kCorrelation) * kCupCell;
+  RandomStream random(6, 0);
+  double before = 0.0, after = 0.0;
+  int within = 0, within_gap = 0, seen = 0;
+  for (std::uint64_t k = 0; k < 60; ++k) {
+    const double thickness = std::clamp(0.004 + 0.002 * test::gaussian(random), 0.001, 0.007);
+    const std::vector<double> truth = {kRadius, kRadius - thickness};
+    const double outer = truth[0] + moves * test::gaussian(random);
+    const double inner = truth[1] + moves * test::gaussian(random);
+    Cup cup(outer, inner, 0.0005, k, kCorrelation);
+    if (cup.axes.size() != 1 || !cup.is_round()) continue;
+    const std::vector<double> alone = {cup.radius(0).value, cup.radius(1).value};
+    if (cup.expect_usual().empty()) continue;
+    REQUIRE(cup.gaps.size() == 1);
+    CHECK(cup.gaps[0].std < 0.002);
+    CHECK(cup.radius(0).value - cup.radius(1).value == Approx(cup.gaps[0].thickness).margin(1e-4));
+    within_gap += std::abs(cup.gaps[0].thickness - thickness) < cup.gaps[0].std;
+    for (int side = 0; side < 2; ++side) {
+      before += std::pow(alone[side] - truth[side], 2);
+      after += std::pow(cup.radius(side).value - truth[side], 2);
+      within += std::abs(cup.radius(side).value - truth[side]) < cup.radius(side).std;
+      ++seen;
+    }
+  }
+  CAPTURE(std::sqrt(before / seen), std::sqrt(after / seen), within, within_gap, seen);
+  REQUIRE(seen > 60);
+  CHECK(std::sqrt(after) < 0.9 * std::sqrt(before));
+  CHECK(within > 0.55 * seen);
+  CHECK(within < 0.85 * seen);
+  CHECK(within_gap > 0.5 * 0.55 * seen);
+  CHECK(within_gap < 0.5 * 0.85 * seen);
+}
+
 TEST_CASE("a thickness that the samples show stays as it is", "[bodies]") {
-  Cup cup(0.04, 0.007, 1e-4, 1);
+  Cup cup(0.04, 0.033, 1e-4, 1);
   REQUIRE(cup.expect_usual() == std::vector{0, 1});
   CHECK(cup.radius(0).value == Approx(0.04).margin(3e-4));
   CHECK(cup.radius(1).value == Approx(0.033).margin(3e-4));
 }
 
 TEST_CASE("what is no wall of usual thickness is left alone", "[bodies]") {
-  Cup cup(0.06, 0.012, 1e-4, 1);
+  Cup cup(0.06, 0.048, 1e-4, 1);
   const Vector10d outer = cup.fits[0].surface.Q.coefficients();
   CHECK(cup.expect_usual().empty());
   CHECK(cup.fits[0].surface.Q.coefficients() == outer);
@@ -153,7 +191,7 @@ TEST_CASE("what is no wall of usual thickness is left alone", "[bodies]") {
 TEST_CASE("the covariance after the usual thickness is that of one more measurement", "[bodies]") {
   // With H the inverse of the covariance of all unknowns and g the derivative of the thickness by
   // them, it is (H + g gᵀ / σ²)⁻¹. First-order distances make half a per cent of difference.
-  Cup cup(0.04, 0.005, 0.002, 3);
+  Cup cup(0.04, 0.035, 0.002, 3);
   REQUIRE(cup.axes.size() == 1);
   REQUIRE(cup.is_round());
   const CoaxialCovariance before = cup.axes[0].covariance;
