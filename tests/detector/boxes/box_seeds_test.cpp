@@ -117,8 +117,9 @@ TEST_CASE("no more than sixteen seeds are made, of the largest pieces", "[boxes]
   for (int k = 0; k < 20; ++k) {
     const Eigen::Vector3d side = Eigen::Vector3d::Constant((k < 4 ? 6 : 8) * test::kSampleCell);
     test::OrientedPoints box = test::sides_of_box(side);
+    const int column = k % 5, row = k / 5;
     for (Eigen::Vector3d& p : box.p) {
-      all.p.push_back(p + Eigen::Vector3d(0.06 * (k % 5), 0.06 * (k / 5), 0.0));
+      all.p.push_back(p + Eigen::Vector3d(0.06 * column, 0.06 * row, 0.0));
     }
     all.n.insert(all.n.end(), box.n.begin(), box.n.end());
   }

@@ -14,8 +14,8 @@
 namespace quadrille {
 namespace {
 
-const Eigen::AlignedBox3d kBox_A{Eigen::Vector3d(0.10, 0.12, 0.60),
-                                 Eigen::Vector3d(0.20, 0.19, 0.68)};
+const Eigen::AlignedBox3d kTrueBox{Eigen::Vector3d(0.10, 0.12, 0.60),
+                                   Eigen::Vector3d(0.20, 0.19, 0.68)};
 
 /// A box along the axes of the camera that shows it the lower sides of its three axes.
 class SeenBox {
@@ -27,12 +27,12 @@ class SeenBox {
     for (int axis = 0; axis < 3; ++axis) {
       Face& face = faces_[axis];
       face.n_C = -Eigen::Vector3d::Unit(axis);
-      face.offset = -kBox_A.min()[axis];
+      face.offset = -kTrueBox.min()[axis];
       face.sigma = noise;
-      face.middle_C = kBox_A.center();
-      face.middle_C[axis] = kBox_A.min()[axis];
+      face.middle_C = kTrueBox.center();
+      face.middle_C[axis] = kTrueBox.min()[axis];
       draft_.faces.push_back(&face);
-      ends[axis][0] = {-kBox_A.min()[axis], 0.0005, true};
+      ends[axis][0] = {-kTrueBox.min()[axis], 0.0005, true};
     }
     for (const Eigen::Vector3f& p : cloud_.points) {
       if (p.allFinite()) draft_.around_C.push_back(p.cast<double>());
@@ -44,8 +44,8 @@ class SeenBox {
   /// The largest error of an end [m].
   double error() const {
     const Eigen::AlignedBox3d box_A = seen_part(ends);
-    return std::max((box_A.min() - kBox_A.min()).cwiseAbs().maxCoeff(),
-                    (box_A.max() - kBox_A.max()).cwiseAbs().maxCoeff());
+    return std::max((box_A.min() - kTrueBox.min()).cwiseAbs().maxCoeff(),
+                    (box_A.max() - kTrueBox.max()).cwiseAbs().maxCoeff());
   }
   BoxDraft& draft() { return draft_; }
 
@@ -54,9 +54,9 @@ class SeenBox {
 
  private:
   static std::vector<test::Patch> patches(double radius) {
-    const Eigen::Isometry3d X_CB(Eigen::Translation3d(kBox_A.center()));
-    return radius > 0.0 ? test::rounded_box(X_CB, kBox_A.sizes(), radius)
-                        : test::box(X_CB, kBox_A.sizes());
+    const Eigen::Isometry3d X_CB(Eigen::Translation3d(kTrueBox.center()));
+    return radius > 0.0 ? test::rounded_box(X_CB, kTrueBox.sizes(), radius)
+                        : test::box(X_CB, kTrueBox.sizes());
   }
 
   /// Adds the outlines of the upper end of an axis where an eye sees them.
@@ -66,7 +66,7 @@ class SeenBox {
       if (side == axis) continue;
       Outline outline{&faces_[side], axis, 1, Eigen::Vector3d::Unit(axis), {}};
       const double hidden = radius - test::shown_by_walking(outline, radius);
-      outline.edge = {kBox_A.max()[axis] - hidden, 0.0005, true};
+      outline.edge = {kTrueBox.max()[axis] - hidden, 0.0005, true};
       outlines.push_back(outline);
       at += 0.5 * outline.edge.at;
     }
@@ -84,11 +84,11 @@ TEST_CASE("the derivatives of a point's distance are those of finite differences
   RandomStream random(3, 0);
   constexpr double kStep = 1e-6;
   for (const double radius : {0.0, 0.004, 0.015}) {
-    const RoundedBox box{kBox_A, radius};
+    const RoundedBox box{kTrueBox, radius};
     for (int n = 0; n < 200; ++n) {
       Eigen::Vector3d p;
       for (int k = 0; k < 3; ++k) {
-        p[k] = kBox_A.min()[k] + (1.4 * random.uniform() - 0.2) * kBox_A.sizes()[k];
+        p[k] = kTrueBox.min()[k] + (1.4 * random.uniform() - 0.2) * kTrueBox.sizes()[k];
       }
       // Where two sides are equally near, the distance has a kink.
       Eigen::Vector3d beyond = box.beyond_ends(p);
@@ -133,13 +133,13 @@ TEST_CASE("the fit finds the ends and the radius of a rounded box that is seen f
 TEST_CASE("an end that rests on a plane stays where it is, and its outlines count for nothing",
           "[boxes]") {
   SeenBox box(0.005, 0.0005);
-  box.ends[1][1].at = kBox_A.max().y();
+  box.ends[1][1].at = kTrueBox.max().y();
   box.ends[1][1].rests = true;
   for (Outline& outline : box.outlines) {
     if (outline.axis == 1) outline.edge.at += 0.05;
   }
   box.fit();
-  CHECK(box.ends[1][1].at == kBox_A.max().y());
+  CHECK(box.ends[1][1].at == kTrueBox.max().y());
   CHECK(box.error() < 0.001);
 }
 
