@@ -29,6 +29,8 @@ struct ApproachSpace {
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
   /// Height of the target's centre above that plane; infinite if none is known [m].
   double height = std::numeric_limits<double>::infinity();
+  /// Distance that hands have to keep off that plane [m].
+  double off_support = 0.0;
   /// Unit direction into the mouth of a shell; the hand approaches within 45° of it. Zero if there
   /// is no mouth.
   Eigen::Vector3d into_C = Eigen::Vector3d::Zero();

@@ -23,9 +23,10 @@ constexpr double kGoesOn = 0.012, kStraight = 0.002, kShareOfWall = 0.8;
 // than pad_side() needs, for the rounding of floats.
 constexpr double kEndDepth = kPadBand + 1e-4;
 
-// Tips stop so far above what the target stands on [m]: a little farther than hands have to keep
-// off it. There they hold things that lie flat.
-constexpr double kAboveSupport = 0.0025;
+// Tips stop above what the target stands on, farther by this than hands have to keep off it [m]:
+// the check for collisions must not refuse them for what rounding changes. There tips hold things
+// that lie flat.
+constexpr double kAboveOff = 0.0005;
 // Sine of the greatest lean of the closing direction, and least cosine between the approach and
 // the way down, for which the tips reach down alike.
 constexpr double kMostLean = 0.05, kLeastDown = 0.5;
@@ -103,7 +104,7 @@ double SliceHolds::lowest_tip(double x) const {
     return std::numeric_limits<double>::infinity();
   }
   const double corner = up_G.x() * x - 0.5 * std::abs(up_G.x()) * gripper_.finger.x();
-  return (space_.height + corner - kAboveSupport) / -up_G.z();
+  return (space_.height + corner - space_.off_support - kAboveOff) / -up_G.z();
 }
 
 /// Finds the runs of points at all depths.

@@ -9,17 +9,9 @@
 namespace quadrille {
 namespace {
 
-// A point lies on a plane up to this many standard deviations of the plane's points above it: at
-// least the first height, to which planes are flat, and at most the second, up to which points
-// count as a support's everywhere [m].
-constexpr double kSigmas = 3.0, kLeastHeight = 0.002, kMostHeight = 0.006;
 // Far more than what rounding changes in the place of a plane that is given by another of its
 // points [m].
 constexpr double kSamePlace = 1e-9;
-
-double height_of(const SupportPlane& plane) {
-  return std::clamp(kSigmas * plane.noise, kLeastHeight, kMostHeight);
-}
 
 bool reaches(const SupportPlane& plane, const Eigen::Vector3d& p_C) {
   return plane.extent_P.contains((plane.X_CP.inverse() * p_C).head<2>());
@@ -57,7 +49,7 @@ class VoxelsAbove {
   /// @param highest  height above which no point lies in a voxel near the plane [m]
   VoxelsAbove(const SupportPlane& plane, const SceneParts& parts, double highest)
       : edge_(parts.space->resolution()) {
-    const auto low = static_cast<float>(height_of(plane)), high = static_cast<float>(highest);
+    const auto low = static_cast<float>(plane.flatness()), high = static_cast<float>(highest);
     const Eigen::Vector3f n_C = plane.n_C().cast<float>();
     const auto offset = static_cast<float>(plane.n_C().dot(plane.X_CP.translation()));
     std::vector<Key> keys;
@@ -90,12 +82,15 @@ class VoxelsAbove {
 
 }  // namespace
 
-void free_supports(const SceneParts& parts, ObstacleMap* map) {
-  for (const SupportPlane& plane : all_supports(parts)) {
+void free_supports(SceneParts* parts, ObstacleMap* map) {
+  for (Target& target : parts->targets) {
+    for (SupportPlane& plane : target.supports) plane.gave_way = true;
+  }
+  for (const SupportPlane& plane : all_supports(*parts)) {
     // No part of a voxel lies farther from the plane than its centre does and this.
-    const double reach = 0.5 * parts.space->resolution() * plane.n_C().cwiseAbs().sum();
-    const double highest = height_of(plane) + reach;
-    const VoxelsAbove above(plane, parts, highest + reach);
+    const double reach = 0.5 * parts->space->resolution() * plane.n_C().cwiseAbs().sum();
+    const double highest = plane.flatness() + reach;
+    const VoxelsAbove above(plane, *parts, highest + reach);
     map->free_occupied([&](const Eigen::Vector3d& centre_C) {
       return std::abs(plane.distance(centre_C)) < highest && reaches(plane, centre_C) &&
              !above.contain(centre_C);

@@ -135,7 +135,7 @@ void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* p
                      unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
                      parts->views, !occupied_by_map);
   // The map of others shows no points of its own, so that nothing tells what its voxels hold.
-  if (!occupied_by_map) free_supports(*parts, &*parts->map);
+  if (!occupied_by_map) free_supports(parts, &*parts->map);
 }
 
 }  // namespace quadrille

@@ -79,6 +79,15 @@ bool touch(std::span<const OrientedBox> boxes, const ObstaclePoints& points, dou
                      [&](const OrientedBox& box) { return points.meet(box.inflated(margin)); });
 }
 
+// A point belongs to a plane up to this many root mean squares of the plane's points above it: of
+// normal noise, one point in 700 lies higher.
+constexpr double kFlatSigmas = 3.0;
+// Even without noise nothing lower is told from a plane: tables are no flatter than this [m].
+constexpr double kLeastFlatness = 0.002;
+// However noisy a plane is, points that are higher count as things, as they do where the points of
+// targets are told from those of supports (target_surfaces.cpp) [m].
+constexpr double kMostFlatness = 0.006;
+
 /// Returns what `solid` or `closing` runs into first. `solid` must keep off everything, and keep a
 /// distance of `off_target` from the target, which `closing` may touch.
 std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
@@ -86,7 +95,8 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
                                              std::span<const OrientedBox> closing,
                                              double off_target) {
   for (const SupportPlane& plane : scene.planes) {
-    if (crosses(solid, plane, scene.margin) || crosses(closing, plane, scene.margin)) {
+    const double off = std::max(scene.margin, plane.flatness());
+    if (crosses(solid, plane, off) || crosses(closing, plane, off)) {
       return Obstruction::kSupport;
     }
   }
@@ -105,6 +115,10 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
 }
 
 }  // namespace
+
+double SupportPlane::flatness() const {
+  return gave_way ? std::clamp(kFlatSigmas * rms, kLeastFlatness, kMostFlatness) : kLeastFlatness;
+}
 
 bool SupportPlane::meets(const OrientedBox& box, double margin) const {
   const Eigen::Matrix3d R_PC = X_CP.linear().transpose();

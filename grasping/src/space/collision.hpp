@@ -18,11 +18,17 @@ struct SupportPlane {
   Eigen::Isometry3d X_CP = Eigen::Isometry3d::Identity();
   /// Extent of the plane, along x and y of P [m].
   Eigen::AlignedBox2d extent_P;
-  /// Standard deviation of the plane's points about it [m].
-  double noise = 0.0;
+  /// Root mean square of the distances of the plane's points from it [m].
+  double rms = 0.0;
+  /// True if voxels near the plane gave way to it (free_supports()), so that only the plane itself
+  /// holds hands off what is lower than flatness().
+  bool gave_way = false;
 
   Eigen::Vector3d n_C() const { return X_CP.linear().col(2); }
   double distance(const Eigen::Vector3d& p_C) const { return n_C().dot(p_C - X_CP.translation()); }
+  /// Returns the height above the plane up to which its own points may lie, so that nothing tells
+  /// them from something flat that lies on it [m]. No hand may come nearer to the plane.
+  double flatness() const;
   /// Returns true if a part of the box may lie less than `margin` [m] above the plane within its
   /// extent. The test is conservative: it uses the bounds of the box along the axes of P.
   bool meets(const OrientedBox& box, double margin) const;
@@ -52,7 +58,7 @@ struct CollisionScene {
   /// The measured points about the target that belong to other things.
   ObstaclePoints other_points = {};
   /// Distance to keep from shapes and planes, which are known only as accurately as they were
-  /// fitted [m].
+  /// fitted; from planes it is more if their flatness() is [m].
   double margin = 0.002;
   /// Distance that the palm keeps from the target [m], since detections end short of the outermost
   /// points and the hand may come from any side of that end. It is smaller if the end was measured.

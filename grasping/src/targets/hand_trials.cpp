@@ -95,7 +95,9 @@ ApproachSpace approach_space(const TargetTask& task) {
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
   space.up_C = task.target.up_C();
   if (!task.target.supports.empty()) {
-    space.height = task.target.supports.front().distance(space.centre_C);
+    const SupportPlane& nearest = task.target.supports.front();
+    space.height = nearest.distance(space.centre_C);
+    space.off_support = std::max(task.scene.margin, nearest.flatness());
   }
   space.wanted = task.query.approach;
   return space;

@@ -224,7 +224,7 @@ TEST_CASE("tips stop above what a thing that lies flat stands on", "[contacts][p
   }
   const Gripper hand = franka_hand();
   ApproachSpace space = space_around(centre);
-  space.height = 0.0065;
+  space.height = 0.0065, space.off_support = 0.002;
   int steep = 0;
   for (const Hold& hold : point_holds(points, all_own(points), hand, space, {}, kMaxFriction)) {
     const Eigen::Vector3d& closing = hold.line.closing_C;

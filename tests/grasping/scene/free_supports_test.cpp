@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "grasping/mapped_scene.hpp"
+#include "grasping/plans.hpp"
+#include "hand/hand.hpp"
 #include "space/support.hpp"
 #include "support/catch.hpp"
 
@@ -30,9 +32,9 @@ struct StandingScene {
       target.supports = supports_of(target.body, {table});
     }
   }
-  ObstacleMap freed() const {
+  ObstacleMap freed() {
     ObstacleMap map(*parts.space, false);
-    free_supports(parts, &map);
+    free_supports(&parts, &map);
     return map;
   }
 };
@@ -45,7 +47,7 @@ double height(const Eigen::Vector3f& p_C) {
 
 TEST_CASE("the voxels of a table give way, and those of the things on it do not",
           "[supports][occupancy]") {
-  const StandingScene standing;
+  StandingScene standing;
   const ObstacleMap before(*standing.parts.space, false), after = standing.freed();
   int table = 0, things = 0;
   for (const Eigen::Vector3f& p_C : standing.scene.cloud.points) {
@@ -93,4 +95,28 @@ TEST_CASE("what lies on a table is told from it if it is higher than the noise",
   const double share = static_cast<double>(occupied) / static_cast<double>(sheet.size());
   CAPTURE(lift, noise, share);
   CHECK((lift > std::max(0.002, 3.0 * noise) ? share > 0.9 : share == 0.0));
+}
+
+TEST_CASE("on a noisy plane no hand comes nearer than its points lie apart", "[supports][plan]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.016);
+  const Eigen::Vector3d up_C = table_detection().X_CQ.linear().col(2);
+  const double table_height = up_C.dot(table_detection().X_CQ.translation());
+  const auto lowest = [&](double rms) {
+    std::vector<Detection> detections = detections_of({ball});
+    detections[0].rms = rms;
+    double least = 1.0;
+    for (const Grasp& grasp : plan_grasps(render({ball}), detections, franka_hand()).grasps) {
+      const SweptHand hand =
+          sweep_hand(franka_hand(), grasp.X_CG, grasp.preshape, grasp.width, grasp.approach);
+      for (const OrientedBox& box : {hand.fingers[0], hand.fingers[1], hand.palm}) {
+        least = std::min(least, -box.support(-up_C) - table_height);
+      }
+    }
+    return least;
+  };
+  const double smooth = lowest(0.0), noisy = lowest(0.002);
+  CHECK(smooth > 0.002);
+  CHECK(smooth < 0.006);
+  CHECK(noisy > 0.006);
+  CHECK(noisy < 1.0);
 }

@@ -126,3 +126,30 @@ TEST_CASE("the clearance is the distance to the nearest thing, to within 1 mm", 
     }
   }
 }
+
+TEST_CASE("a hand keeps off a noisy plane as far as voxels gave way to it",
+          "[collision][support]") {
+  const OccupancyGrid nothing(Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()),
+                              0.1);
+  const SweptHand hand =
+      sweep_hand(franka_hand(), Eigen::Isometry3d::Identity(), 0.036, 0.03, 0.05);
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
+  // The least is 2 mm and the most is 6 mm; if no voxel gave way, voxels keep the hand off.
+  const auto [rms, gave_way, off] = GENERATE(table<double, bool, double>({{0.0, true, 0.002},
+                                                                          {0.001, true, 0.003},
+                                                                          {0.002, true, 0.006},
+                                                                          {0.1, true, 0.006},
+                                                                          {0.002, false, 0.002}}));
+  CAPTURE(rms, gave_way);
+  SupportPlane plane;
+  plane.X_CP.linear() = Eigen::AngleAxisd(M_PI, x).toRotationMatrix();  // upwards is −z
+  plane.extent_P = {Eigen::Vector2d::Constant(-1.0), Eigen::Vector2d::Constant(1.0)};
+  plane.rms = rms, plane.gave_way = gave_way;
+  const auto obstruction = [&](double below) {
+    plane.X_CP.translation() = (hand.fingers[0].support(z) + below) * z;
+    const CollisionScene scene{ObstacleMap(nothing, false), {plane}, {}, {}};
+    return scene.finger_obstruction(hand);
+  };
+  CHECK(obstruction(off - 1e-4) == Obstruction::kSupport);
+  CHECK_FALSE(obstruction(off + 1e-4));
+}
