@@ -13,8 +13,9 @@ namespace {
 // points [m].
 constexpr double kSamePlace = 1e-9;
 
-bool reaches(const SupportPlane& plane, const Eigen::Vector3d& p_C) {
-  return plane.extent_P.contains((plane.X_CP.inverse() * p_C).head<2>());
+/// Returns true where the plane was seen. Beyond, voxels may hold other things of its height.
+bool was_seen_at(const SupportPlane& plane, const Eigen::Vector3d& p_C) {
+  return plane.seen_P.contains((plane.X_CP.inverse() * p_C).head<2>());
 }
 
 /// The planes on which targets stand, each once.
@@ -92,7 +93,7 @@ void free_supports(SceneParts* parts, ObstacleMap* map) {
     const double highest = plane.flatness() + reach;
     const VoxelsAbove above(plane, *parts, highest + reach);
     map->free_occupied([&](const Eigen::Vector3d& centre_C) {
-      return std::abs(plane.distance(centre_C)) < highest && reaches(plane, centre_C) &&
+      return std::abs(plane.distance(centre_C)) < highest && was_seen_at(plane, centre_C) &&
              !above.contain(centre_C);
     });
   }

@@ -18,6 +18,8 @@ struct SupportPlane {
   Eigen::Isometry3d X_CP = Eigen::Isometry3d::Identity();
   /// Extent of the plane, along x and y of P [m].
   Eigen::AlignedBox2d extent_P;
+  /// The part of the extent in which the plane was seen, or is known to be; empty if none is [m].
+  Eigen::AlignedBox2d seen_P = {};
   /// Root mean square of the distances of the plane's points from it [m].
   double rms = 0.0;
   /// True if voxels near the plane gave way to it (free_supports()), so that only the plane itself

@@ -29,10 +29,8 @@ std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   const double min_size = std::max(kMinSupportSize, kMinSupportToBody * size);
   if (plane.extent_Q.sizes().head<2>().minCoeff() < min_size) return std::nullopt;
   const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(kBeyondSeen);
-  const SupportPlane found{
-      plane.X_CQ,
-      {plane.extent_Q.min().head<2>() - beyond, plane.extent_Q.max().head<2>() + beyond},
-      plane.rms};
+  const Eigen::AlignedBox2d seen(plane.extent_Q.min().head<2>(), plane.extent_Q.max().head<2>());
+  const SupportPlane found{plane.X_CQ, {seen.min() - beyond, seen.max() + beyond}, seen, plane.rms};
   const Eigen::Vector3d middle_P = plane.X_CQ.inverse() * body.centre_C();
   if (!found.extent_P.contains(middle_P.head<2>())) return std::nullopt;
   const Eigen::Vector3d n_Q = body.X_CQ.linear().transpose() * found.n_C();
@@ -65,6 +63,7 @@ SupportPlane plane_of(const KnownSupport& support, const Eigen::Vector3d& near_C
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), support.n_C).toRotationMatrix();
   plane.X_CP.translation() = near_C - (support.n_C.dot(near_C) - support.offset) * support.n_C;
   plane.extent_P = {Eigen::Vector2d::Constant(-kReach), Eigen::Vector2d::Constant(kReach)};
+  plane.seen_P = plane.extent_P;
   return plane;
 }
 

@@ -120,3 +120,31 @@ TEST_CASE("on a noisy plane no hand comes nearer than its points lie apart", "[s
   CHECK(noisy > 0.006);
   CHECK(noisy < 1.0);
 }
+
+TEST_CASE("voxels give way to a table only where the table was seen", "[supports][occupancy]") {
+  StandingScene standing;
+  Detection table = table_detection();
+  // The points beyond belong to something else, which is as high.
+  table.extent_Q.max().x() = 0.0;
+  for (Target& target : standing.parts.targets) {
+    target.supports = supports_of(target.body, {table});
+    REQUIRE(target.supports.size() == 1);
+  }
+  const ObstacleMap before(*standing.parts.space, false), after = standing.freed();
+  int seen = 0, beyond = 0;
+  for (const Eigen::Vector3f& p_C : standing.scene.cloud.points) {
+    const Eigen::Vector3d p = p_C.cast<double>();
+    if (!before.is_occupied(p) || height(p_C) > 0.002) continue;
+    const double x = (table.X_CQ.inverse() * p).x();
+    // The first ball and a voxel reach less far to the one side, and a voxel to the other.
+    if (x < -0.04) {
+      CHECK_FALSE(after.is_occupied(p));
+      ++seen;
+    } else if (x > 0.01) {
+      CHECK(after.is_occupied(p));
+      ++beyond;
+    }
+  }
+  CHECK(seen > 500);
+  CHECK(beyond > 500);
+}
