@@ -98,12 +98,15 @@ void SliceHolds::find(const FingerSlice& slice, std::vector<SliceHold>& found) {
 /// stands on; infinity if nothing tells.
 double SliceHolds::lowest_tip(double x) const {
   const Eigen::Vector3d up_G = R_CG_.transpose() * space_.up_C;
-  // If the hand leans to one side, the two tips reach down differently, and if it comes from the
-  // side, they hardly reach down. Then the check for collisions decides.
+  // If the hand leans much to one side, the two tips reach down differently, and if it comes
+  // from the side, they hardly reach down. Then the check for collisions decides.
   if (std::abs(up_G.y()) > kMostLean || -up_G.z() < kLeastDown) {
     return std::numeric_limits<double>::infinity();
   }
-  const double corner = up_G.x() * x - 0.5 * std::abs(up_G.x()) * gripper_.finger.x();
+  // The lower of the fingers, where the hand opens most, decides.
+  const double aside = 0.5 * gripper_.max_opening + gripper_.finger.y();
+  const double corner =
+      up_G.x() * x - 0.5 * std::abs(up_G.x()) * gripper_.finger.x() - std::abs(up_G.y()) * aside;
   return (space_.height + corner - space_.off_support - kAboveOff) / -up_G.z();
 }
 

@@ -222,21 +222,26 @@ TEST_CASE("tips stop above what a thing that lies flat stands on", "[contacts][p
       }
     }
   }
+  // The bar may be turned about its length, so that the hand leans to one side.
+  const double turn = GENERATE(0.0, 0.02, 0.04);
+  const Eigen::Vector3d up = Eigen::AngleAxisd(turn, along) * kTowardsSky;
   const Gripper hand = franka_hand();
   ApproachSpace space = space_around(centre);
-  space.height = 0.0065, space.off_support = 0.002;
-  int steep = 0;
+  space.up_C = up, space.height = 0.0065, space.off_support = 0.002;
+  int steep = 0, leaning = 0;
   for (const Hold& hold : point_holds(points, all_own(points), hand, space, {}, kMaxFriction)) {
     const Eigen::Vector3d& closing = hold.line.closing_C;
-    if (std::abs(closing.dot(kTowardsSky)) > 1e-9 || hold.approach_C.dot(kTowardsSky) > -0.5) {
-      continue;
-    }
+    const double aslant = std::abs(closing.dot(up));
+    if (aslant > 0.05 || hold.approach_C.dot(up) > -0.5) continue;
     const Eigen::Vector3d tip = hold.line.centre_C + hand.finger_front * hold.approach_C;
-    const double lean = std::abs(closing.cross(hold.approach_C).dot(kTowardsSky));
-    const double lowest = (tip - centre).dot(kTowardsSky) - 0.5 * hand.finger.x() * lean;
+    const double lean = std::abs(closing.cross(hold.approach_C).dot(up));
+    const double lowest = (tip - centre).dot(up) - 0.5 * hand.finger.x() * lean -
+                          aslant * (0.5 * hand.max_opening + hand.finger.y());
     CHECK(lowest + space.height > 0.002);
     CHECK(lowest < 0.0065);
     ++steep;
+    leaning += aslant > 0.5 * turn;
   }
   CHECK(steep > 5);
+  CHECK((turn == 0.0 || leaning > 0));
 }
