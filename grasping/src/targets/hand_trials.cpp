@@ -27,7 +27,9 @@ constexpr double kSigmas = 2.0;
 constexpr double kMaxDoubt = 0.004;
 // Extra opening on either side beyond what a hold needs, in 80ths of the largest opening: wide,
 // medium, then none. On the Franka Hand these are 20, 7 and 0 mm. The wider the hand opens, the
-// less it matters how well the target's sides are known.
+// less it matters how well the target's sides are known. 7 mm was the first opening before. With 20
+// mm before it, and voxels of supports that give way, 14 of 147 hands touched something on their
+// way in, in place of 25 of 147: in 40 simulated packed scenes under the noise of GIGA.
 constexpr std::array kRooms = {20, 7, 0};
 // A contact is contradicted if space is free at all of these depths below it, in voxels, but no
 // deeper than a share of the width.
@@ -212,8 +214,6 @@ bool HandTrials::may_succeed(const Attempt& attempt, bool and_palm) const {
 
 bool HandTrials::try_hand(const Attempt& attempt) {
   const ContactLine& line = attempt.line;
-  const Gripper& gripper = task_.parts.gripper;
-  const CollisionScene& scene = task_.scene;
   if (resembles_accepted(line, attempt.X_CG.linear().col(2))) return true;
   const Eigen::Vector3d here_G = Eigen::Vector3d::Zero();
   if (out_of_reach(attempt.X_CG, Eigen::AlignedBox3d(here_G))) return false;
@@ -221,10 +221,6 @@ bool HandTrials::try_hand(const Attempt& attempt) {
     leave_out_unlikely();
     return false;
   }
-  const auto swept = [&](double preshape) {
-    return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.parts.options.approach,
-                      task_.attached_G);
-  };
   const auto stopped_by = [&](const std::optional<Obstruction>& what) {
     if (what) obstructed(refusal_of(*what));
     return what.has_value();
@@ -232,28 +228,36 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   if (stopped_by(closing_obstruction(attempt)) || stopped_by(back_obstruction(attempt))) {
     return false;
   }
-  if (attempt.may_bulge && meets_too_early(line, attempt.X_CG, gripper, scene.target,
-                                           pad_margin(line.std, task_.parts.options))) {
+  if (attempt.may_bulge &&
+      meets_too_early(line, attempt.X_CG, task_.parts.gripper, task_.scene.target,
+                      pad_margin(line.std, task_.parts.options))) {
     obstructed(Refusal::kTarget);
     return false;
   }
-  for (const double preshape : preshapes(line, task_)) {
-    const std::optional<Obstruction> what = scene.finger_obstruction(swept(preshape));
-    if (stopped_by(what)) {
-      if (*what == Obstruction::kSupport) return false;  // no other opening would help
-      continue;
-    }
-    Grasp grasp = describe(attempt, preshape, task_);
-    const std::optional<Refusal> why = unwanted(grasp);
-    if (!why) {
-      found_.grasps.push_back(std::move(grasp));
-      return true;
-    }
-    obstructed(*why);
-    // A narrower opening may keep the required clearance, or enough for the required score.
-    if (*why != Refusal::kClearance && *why != Refusal::kScore) return false;
+  // A hold counts once, however many openings of the hand were tried.
+  const std::optional<Refusal> why = try_openings(attempt);
+  if (why) obstructed(*why);
+  return !why;
+}
+
+std::optional<Refusal> HandTrials::try_openings(const Attempt& attempt) {
+  std::optional<Refusal> why;
+  for (const double preshape : preshapes(attempt.line, task_)) {
+    why = try_opening(attempt, preshape);
+    // A narrower opening keeps no farther from a support, and the caller does not want the grasp.
+    if (!why || *why == Refusal::kSupport || *why == Refusal::kCaller) break;
   }
-  return false;
+  return why;
+}
+
+std::optional<Refusal> HandTrials::try_opening(const Attempt& attempt, double preshape) {
+  const SweptHand hand = sweep_hand(task_.parts.gripper, attempt.X_CG, preshape, attempt.line.width,
+                                    task_.parts.options.approach, task_.attached_G);
+  if (const auto what = task_.scene.finger_obstruction(hand)) return refusal_of(*what);
+  Grasp grasp = describe(attempt, preshape, task_);
+  const std::optional<Refusal> why = unwanted(grasp);
+  if (!why) found_.grasps.push_back(std::move(grasp));
+  return why;
 }
 
 }  // namespace quadrille

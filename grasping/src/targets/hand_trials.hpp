@@ -81,6 +81,11 @@ class HandTrials {
   std::optional<Obstruction> closing_obstruction(const Attempt& attempt) const;
   std::optional<Obstruction> back_obstruction(const Attempt& attempt) const;
   void obstructed(Refusal why);
+  /// Opens the hand less and less until a grasp is accepted. Returns why none is, which is what
+  /// refused the last opening that was tried; nullopt if one is.
+  std::optional<Refusal> try_openings(const Attempt& attempt);
+  /// Accepts the grasp with this opening, or returns why not.
+  std::optional<Refusal> try_opening(const Attempt& attempt, double preshape);
   std::optional<Refusal> unwanted(Grasp& grasp) const;
 
   const TargetTask& task_;
