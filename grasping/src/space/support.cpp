@@ -19,8 +19,9 @@ constexpr double kBeyondSeen = 0.1;
 // feet may go into it. Things that lie flat are long, but not high.
 constexpr double kMinShareAbove = 0.25;
 
-/// Returns the plane if the target stands on it: a large plane below most of the body, and no
-/// farther from the body than the body is large (something in front may hide the body's foot).
+/// Returns the plane if the target stands on it: a large plane with enough of the body above it,
+/// and no farther from the body than the body is large (something in front may hide the body's
+/// foot).
 std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   if (!plane.X_CQ.matrix().allFinite() || !plane.X_CQ.linear().isUnitary(1e-3)) {
     return std::nullopt;

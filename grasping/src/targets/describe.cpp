@@ -45,8 +45,8 @@ double seen_share(const std::array<OrientedBox, 2>& boxes, const OccupancyGrid& 
   return static_cast<double>(seen) / (2 * kAlongX * kAlongY * kAlongZ);
 }
 
-}  // namespace
-
+/// Returns true if the surface was measured next to a contact.
+/// @param resolution  of the space [m]
 bool was_seen(const Eigen::Vector3d& contact_C, const ObstacleMap& space, double resolution) {
   for (int n = 0; n < 27; ++n) {
     const Eigen::Vector3i steps(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
@@ -55,6 +55,8 @@ bool was_seen(const Eigen::Vector3d& contact_C, const ObstacleMap& space, double
   }
   return false;
 }
+
+}  // namespace
 
 Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) {
   const ContactLine& line = attempt.line;

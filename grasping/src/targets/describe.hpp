@@ -5,10 +5,6 @@
 
 namespace quadrille {
 
-/// Returns true if the surface was measured next to a contact.
-/// @param resolution  of the space [m]
-bool was_seen(const Eigen::Vector3d& contact_C, const ObstacleMap& space, double resolution);
-
 /// Turns an attempt that met no obstruction into a grasp, with its quality. As it is not measured
 /// yet how well its space was seen, and its clearance, its score is what it would be if all space
 /// were seen and nothing else were near, which is the most that it can be.
