@@ -98,7 +98,7 @@ int main(int argc, char** argv) try {
   print("with a crate", beside_crate);
   compare(alone, beside_crate);
 
-  query.obstacles.push_back(box_in_C(X_CW, {-0.1, 0.0, 0.2}, {0.02, 0.8, 0.4}));
+  query.obstacles.push_back(box_in_C(X_CW, {-0.05, 0.0, 0.2}, {0.02, 0.8, 0.4}));
   const quadrille::GraspPlan fenced = scene.plan(query);
   print("with crate and fence", fenced);
   compare(beside_crate, fenced);
