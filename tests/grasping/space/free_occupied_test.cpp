@@ -7,10 +7,13 @@
 #include "space/obstacle_map.hpp"
 #include "support/catch.hpp"
 
-using namespace quadrille;
-using namespace quadrille::test;
-
+namespace quadrille {
 namespace {
+
+using test::kRegion;
+using test::kResolution;
+using test::random_box;
+using test::Scene;
 
 /// A box far within a voxel.
 OrientedBox speck_at(const Eigen::Vector3d& centre_C) {
@@ -21,8 +24,6 @@ OrientedBox speck_at(const Eigen::Vector3d& centre_C) {
 bool is_second(const Eigen::Vector3d& centre_C) {
   return static_cast<int>(std::floor(centre_C.x() / kResolution)) % 2 != 0;
 }
-
-}  // namespace
 
 TEST_CASE("occupied voxels that give way stop nothing, and all others still do", "[occupancy]") {
   const Scene scene;
@@ -63,3 +64,6 @@ TEST_CASE("boxes of all sizes pass where all voxels gave way, and nowhere else",
   CHECK(passed > 100);
   CHECK(stopped > 100);
 }
+
+}  // namespace
+}  // namespace quadrille
