@@ -95,11 +95,15 @@ ApproachSpace approach_space(const TargetTask& task) {
   space.reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d ray = task.parts.view_of(task.target).p_CV() - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
-  space.up_C = task.target.up_C();
-  if (!task.target.supports.empty()) {
-    const SupportPlane& nearest = task.target.supports.front();
-    space.height = nearest.distance(space.centre_C);
-    space.off_support = std::max(task.scene.margin, nearest.flatness());
+  // Of several supports, such as the one that was seen and the one that is known, the highest
+  // counts.
+  for (const SupportPlane& plane : task.target.supports) {
+    const double height = plane.distance(space.centre_C);
+    const double off = std::max(task.scene.margin, plane.flatness());
+    if (!(height - off < space.height - space.off_support)) continue;
+    space.up_C = plane.n_C();
+    space.height = height;
+    space.off_support = off;
   }
   space.wanted = task.query.approach;
   return space;
