@@ -68,7 +68,7 @@ std::string describe_box(const Box& box) {
     text += fmt::format(" ({:.1f} to {:.1f})", 1000.0 * box.inner_B.sizes()[i],
                         1000.0 * box.outer_B.sizes()[i]);
   }
-  if (box.faces.empty()) return text + " mm, no face is a plane above";
+  if (box.faces.empty()) return text + " mm, no detected face";
   text += box.faces.size() == 1 ? " mm, face" : " mm, faces";
   for (const int id : box.faces) text += fmt::format(" {}", id);
   return text;

@@ -41,9 +41,9 @@ CommonAxis* axis_of(const WallGap& gap, std::vector<CommonAxis>* axes) {
   return found == axes->end() ? nullptr : &*found;
 }
 
-/// What the usual thickness tells about a wall.
+/// The difference between the usual thickness μ and the measured one t, and its variance S.
 struct Innovation {
-  /// μ − t [m], and S [m²].
+  /// [m], [m²]
   double difference, variance;
 };
 

@@ -47,8 +47,8 @@ MeanDistance mean_distance(const Surface& surface, const std::vector<Place>& pla
 /// Covariance of the parameters of a surface's fit, shapes and then motions.
 Eigen::MatrixXd parameter_covariance(const Surface& surface);
 
-/// What the sensor moves the parameters of a surface's fit by, for each unit that it moves the
-/// surface by along its normals; see uncertainty_of().
+/// The change of the parameters of a surface's fit if the sensor moves the whole surface along its
+/// normals by one unit of the local coordinates; see uncertainty_of().
 Eigen::VectorXd offset_step(const Surface& surface);
 
 /// Covariance of the parameters of two surfaces; nullopt if they were fitted one by one.

@@ -28,6 +28,7 @@ constexpr double kThickest = 0.25;
 
 /// One side of a wall.
 struct Side {
+  int number;
   const Surface& surface;
   AxialPart part;
   /// True if it has an axis, unlike a sphere.
@@ -75,7 +76,7 @@ std::vector<std::pair<double, double>> common_heights(const Side& outer, const S
   return heights;
 }
 
-/// The distance between two sides, without their numbers; nullopt if they do not overlap.
+/// The distance between two sides; nullopt if they do not overlap.
 /// @param between  covariance of the parameters of both, if they have any
 std::optional<WallGap> gap_between(const Side& outer, const Side& inner,
                                    const SurfaceSamples& samples,
@@ -99,12 +100,9 @@ std::optional<WallGap> gap_between(const Side& outer, const Side& inner,
   const double offset =
       std::hypot(a.derivative.dot(offset_step(outer.surface)) * offset_std(outer.surface, samples),
                  b.derivative.dot(offset_step(inner.surface)) * offset_std(inner.surface, samples));
-  return WallGap{0,
-                 0,
-                 b.value - a.value,
-                 std::hypot(std::sqrt(std::max(0.0, variance)), offset),
-                 -a.derivative,
-                 b.derivative};
+  return WallGap{outer.number,      inner.number,
+                 b.value - a.value, std::hypot(std::sqrt(std::max(0.0, variance)), offset),
+                 -a.derivative,     b.derivative};
 }
 
 }  // namespace
@@ -123,10 +121,10 @@ std::vector<WallGap> find_gaps(std::span<const Detection> detections,
   for (const auto& [a, part_a] : outside) {
     for (const auto& [b, part_b] : inside) {
       if (!share_axis(part_a, part_b)) continue;
-      std::optional<WallGap> gap = gap_between({fits[a].surface, part_a}, {fits[b].surface, part_b},
-                                               samples, parameter_covariance(a, b, axes));
+      std::optional<WallGap> gap =
+          gap_between({a, fits[a].surface, part_a}, {b, fits[b].surface, part_b}, samples,
+                      parameter_covariance(a, b, axes));
       if (!gap || gap->thickness > kThickest * part_a.radius) continue;
-      gap->outer = a, gap->inner = b;
       gaps.push_back(std::move(*gap));
     }
   }

@@ -16,7 +16,8 @@ constexpr double kMaxMixed = 5.0;
 // Two points tell the height of what lies behind: at oblique faces, whose pitches are stretched,
 // not many lie between the mixed pixels and the end of what is looked at.
 constexpr std::size_t kMinBehind = 2;
-// What lies behind is one surface if its points are spread by less than this share of the gap.
+// The points behind a face are of one surface if their heights spread by less than this share of
+// the distance from the face.
 constexpr double kMaxSpread = 0.25;
 // Points float if they lie farther from the face, and from what lies behind, than this share of the
 // gap: the spread of either surface reaches about as far.

@@ -4,7 +4,8 @@
 
 namespace quadrille {
 
-/// What the rows of a face tell about pixels that the sensor mixed at an outline.
+/// Counts the rows of points of a face that show mixed pixels at an outline: pixels whose depth the
+/// sensor took partly from the face and partly from the background.
 ///
 /// Mixed pixels float between the face and what was seen behind it, and lie on neither, so that the
 /// face seems to end early. Their heights change from one surface to the other, and the outline

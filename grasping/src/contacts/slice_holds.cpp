@@ -45,7 +45,6 @@ SliceHolds::SliceHolds(const SurfacePoints& points, const std::vector<char>& own
       own_(own),
       gripper_(gripper),
       space_(space),
-      centre_C_(space.centre_C),
       walls_(walls),
       max_friction_(max_friction),
       runs_(static_cast<float>(gripper.finger.y())) {
@@ -264,7 +263,7 @@ bool SliceHolds::is_thin_wall(double x, double tip, const PadSide& left,
 
 /// Returns the point in C that lies at an offset from the target's centre along the axes of G.
 Eigen::Vector3d SliceHolds::in_cloud(const Eigen::Vector3d& offset_G) const {
-  return centre_C_ + R_CG_ * offset_G;
+  return space_.centre_C + R_CG_ * offset_G;
 }
 
 /// Returns true if the points of a wall go on straight below the tips.

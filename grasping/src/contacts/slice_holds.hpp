@@ -101,7 +101,6 @@ class SliceHolds {
   const std::vector<char>& own_;
   const Gripper& gripper_;
   const ApproachSpace& space_;
-  const Eigen::Vector3d centre_C_;
   const ThinWalls& walls_;
   const double max_friction_;
   std::vector<Eigen::Vector3d> offsets_C_;

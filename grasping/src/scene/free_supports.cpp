@@ -1,10 +1,11 @@
 #include "scene/free_supports.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include "space/voxel_key.hpp"
 
 namespace quadrille {
 namespace {
@@ -53,10 +54,10 @@ class VoxelsAbove {
     const auto low = static_cast<float>(plane.flatness()), high = static_cast<float>(highest);
     const Eigen::Vector3f n_C = plane.n_C().cast<float>();
     const auto offset = static_cast<float>(plane.n_C().dot(plane.X_CP.translation()));
-    std::vector<Key> keys;
+    std::vector<VoxelKey> keys;
     for (const Eigen::Vector3f& p_C : parts.points.p_C) {
       const float height = n_C.x() * p_C.x() + n_C.y() * p_C.y() + n_C.z() * p_C.z() - offset;
-      if (height > low && height < high) keys.push_back(key_of(p_C.cast<double>()));
+      if (height > low && height < high) keys.push_back(voxel_key(p_C.cast<double>(), edge_));
     }
     std::sort(keys.begin(), keys.end());
     const std::size_t fewest = fewest_above(plane, parts);
@@ -67,18 +68,12 @@ class VoxelsAbove {
   }
 
   bool contain(const Eigen::Vector3d& centre_C) const {
-    return std::binary_search(keys_.begin(), keys_.end(), key_of(centre_C));
+    return std::binary_search(keys_.begin(), keys_.end(), voxel_key(centre_C, edge_));
   }
 
  private:
-  using Key = std::array<int, 3>;
-  Key key_of(const Eigen::Vector3d& p_C) const {
-    const Eigen::Vector3i key = (p_C / edge_).array().floor().cast<int>();
-    return {key.x(), key.y(), key.z()};
-  }
-
   double edge_;
-  std::vector<Key> keys_;
+  std::vector<VoxelKey> keys_;
 };
 
 }  // namespace

@@ -95,8 +95,8 @@ ApproachSpace approach_space(const TargetTask& task) {
   space.reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d ray = task.parts.view_of(task.target).p_CV() - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
-  // Of several supports, such as the one that was seen and the one that is known, the highest
-  // counts.
+  // A target may have two supports: the plane that was seen below it, and the one that the robot
+  // told. Tips stop above the higher one.
   for (const SupportPlane& plane : task.target.supports) {
     const double height = plane.distance(space.centre_C);
     const double off = std::max(task.scene.margin, plane.flatness());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "body/pieces.hpp"
+#include "space/voxel_key.hpp"
 
 namespace quadrille {
 namespace {
@@ -64,25 +65,19 @@ class UnexplainedVoxels {
         around(target.body, carve_margin(parts, target) + edge_).cast<float>();
     parts.points.runs.each_in(near, [&](std::size_t n) {
       const Eigen::Vector3d p_C = parts.points.p_C[n].cast<double>();
-      outside_[key_of(p_C)] += target.body.contains(p_C, explained) ? -1 : 1;
+      outside_[voxel_key(p_C, edge_)] += target.body.contains(p_C, explained) ? -1 : 1;
     });
   }
 
   bool contains(const Eigen::Vector3d& centre_C) const {
-    const auto found = outside_.find(key_of(centre_C));
+    const auto found = outside_.find(voxel_key(centre_C, edge_));
     return found != outside_.end() && found->second > 0;
   }
 
  private:
-  using Key = std::array<int, 3>;
-  Key key_of(const Eigen::Vector3d& p_C) const {
-    const Eigen::Vector3i key = (p_C / edge_).array().floor().cast<int>();
-    return {key.x(), key.y(), key.z()};
-  }
-
   double edge_;
   /// Number of points outside of the body, less that of the others.
-  std::map<Key, int> outside_;
+  std::map<VoxelKey, int> outside_;
 };
 
 /// Returns true for voxels of the plane that the target stands on.

@@ -109,7 +109,7 @@ TEST_CASE("the usual thickness of walls makes the radii of cups better, and thei
     if (cup.axes.size() != 1 || !cup.is_round()) continue;
     const std::vector<double> truth = {kRadius, kRadius - thickness};
     const std::vector<Dimension> alone = {cup.radius(0), cup.radius(1)};
-    // What seems to be thicker than 8 mm stays as it is.
+    // Walls that seem to be thicker than 8 mm are left alone.
     if (cup.expect_usual().empty()) continue;
     for (int side = 0; side < 2; ++side) {
       before += std::pow(alone[side].value - truth[side], 2);
@@ -140,7 +140,7 @@ TEST_CASE("the usual thickness of walls makes the radii of cups better, and thei
 
 TEST_CASE("the usual thickness makes up for what a sensor moves each side by", "[bodies]") {
   constexpr double kRadius = 0.04, kCorrelation = 0.5;
-  // As uncertainty_of() has it.
+  // The standard deviation by which a sensor moves a surface, as in uncertainty.cpp [m].
   const double moves = 0.8 * std::sqrt(kCorrelation) * kCupCell;
   RandomStream random(6, 0);
   double before = 0.0, after = 0.0;

@@ -90,7 +90,8 @@ TEST_CASE("the derivatives of a point's distance are those of finite differences
       for (int k = 0; k < 3; ++k) {
         p[k] = kTrueBox.min()[k] + (1.4 * random.uniform() - 0.2) * kTrueBox.sizes()[k];
       }
-      // Where two sides are equally near, the distance has a kink.
+      // Points that are equally near to two sides are left out: the distance has no derivative
+      // there.
       Eigen::Vector3d beyond = box.beyond_ends(p);
       std::sort(beyond.begin(), beyond.end());
       if (beyond[2] < -radius && beyond[2] - beyond[1] < 10.0 * kStep) continue;

@@ -34,7 +34,7 @@ TEST_CASE("a hand opens wide where nothing is near", "[plan][openings]") {
   REQUIRE_FALSE(grasps.empty());
   int across_middle = 0;
   for (const Grasp& grasp : grasps) {
-    // What is held beside its middle is left out.
+    // Holds beside the middle of the ball are left out, since the hand may open less there.
     if (grasp.width < 2.0 * kRadius - 1e-6) continue;
     CHECK(is_wide(grasp));
     ++across_middle;
