@@ -17,9 +17,6 @@
 namespace quadrille {
 namespace {
 
-// A thickness that is farther from the usual one, in deviations of their difference, is not that of
-// a usual wall: one of four hundred usual walls seems to be so far off.
-constexpr double kMaxDeviations = 3.0;
 // No root mean square distance grows by more than this factor. A usual thickness that asks for more
 // would tear the fit off its points. With a factor of 2 one of 24 walls that time of flight bends
 // stays wrong.
@@ -49,13 +46,6 @@ struct Innovation {
 
 Innovation innovation_of(const WallGap& gap) {
   return {kUsualThickness - gap.thickness, gap.std * gap.std + kThicknessSpread * kThicknessSpread};
-}
-
-/// True if a gap may be that of a usual wall.
-bool may_be_usual(const WallGap& gap) {
-  const auto [difference, variance] = innovation_of(gap);
-  return difference * difference <= kMaxDeviations * kMaxDeviations * variance &&
-         gap.thickness - gap.std < kMaxThickness;
 }
 
 /// How the fit of one surface changes.
@@ -157,7 +147,8 @@ std::vector<int> expect_usual_walls(const SurfaceSamples& samples, std::vector<W
   for (WallGap& gap : *gaps) {
     if (has_moved[gap.outer] || has_moved[gap.inner]) continue;
     CommonAxis* axis = axis_of(gap, axes);
-    if (axis && may_be_usual(gap) && move_to_usual(samples, &gap, axis, fits)) {
+    const bool is_thicker = gap.thickness - gap.std > kMaxThickness;
+    if (axis && !is_thicker && move_to_usual(samples, &gap, axis, fits)) {
       for (const int k : axis->members) has_moved[k] = 1;
       result.insert(result.end(), axis->members.begin(), axis->members.end());
     }

@@ -21,9 +21,9 @@ namespace quadrille {
 /// are θ + K (μ − t), and what is left of an error e of the parameters is e − K gᵀ e.
 ///
 /// The other surfaces that were fitted about the same axis move with it. Sides without a common
-/// axis are left alone, as is a thickness that is more than three deviations √S from the usual one
-/// or surely above 8 mm, and a wall whose surfaces would leave their points. A surface moves with
-/// the wall that is known best, of those of which it may be a side.
+/// axis are left alone, as is a wall that is surely thicker than 8 mm, or whose surfaces would
+/// leave their points. A surface moves with the wall that is known best, of those of which it may
+/// be a side.
 /// @param samples  of all surfaces
 /// @param gaps     receive what is known of the thickness then; those of which a side has moved
 ///                 with another wall are removed

@@ -1,7 +1,6 @@
 #include "targets/target_scene.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
