@@ -31,11 +31,6 @@ double variance_of(const Surface& surface);
 /// @param fit  of more than no points; must outlive the member
 Member member_of(int index, const LastFit& fit, bool is_inside, bool is_guest);
 
-/// True if the profiles of a family are straight lines.
-inline bool is_straight(Family family) {
-  return family == Family::kCylinder || family == Family::kCone;
-}
-
 /// True if a member is of another type in a joint fit than alone, and not because it has another
 /// family.
 bool changes_type(const Member& member, const FamilyFit& joint);

@@ -4,51 +4,16 @@
 #include <cmath>
 #include <optional>
 
+#include "fit/straight_profile.hpp"
+
 namespace quadrille {
 namespace {
 
-// Least slope with which the fit of a cone begins. Its apex is then 100 radii away.
-constexpr double kLeastSlope = 0.01;
-// Least variance of the heights of points, in local coordinates, over which a line is laid.
-constexpr double kLeastHeight = 1e-9;
-
-/// The line of regression of the points' distances from an axis on their heights along it, in the
-/// local coordinates of a member.
-struct ProfileLine {
-  /// Pose whose z axis is the axis.
-  Eigen::Isometry3d X;
-  /// Height and radius in the middle of the points, and the slope of the radius.
-  double z, r, slope;
-};
-
-ProfileLine profile_line(const Member& member, const Eigen::Isometry3d& X_CA) {
-  const Normalisation& local = member.part.local;
-  Eigen::Isometry3d X = X_CA;
-  X.translation() = (X_CA.translation() - local.centre) / local.scale;
-  const Eigen::Isometry3d X_AL = X.inverse();
-  double z = 0.0, r = 0.0, zz = 0.0, zr = 0.0;
-  const OrientedPointsf& points = member.fit->points;
-  const auto n = static_cast<double>(points.size());
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d p = X_AL * Eigen::Vector3d(points.points.col(i).cast<double>());
-    const double radius = p.head<2>().norm();
-    z += p.z() / n, r += radius / n, zz += p.z() * p.z() / n, zr += p.z() * radius / n;
-  }
-  return {X, z, r, (zr - z * r) / std::max(zz - z * z, kLeastHeight)};
-}
-
-/// The cylinder or cone whose profile is a line; the slope counts for cones only.
+/// The cylinder or cone of a member whose profile is a line; the slope counts for cones only.
 FamilyFit straight_fit(const Member& member, Family family, const ProfileLine& line, double slope) {
   FamilyFit fit = member.part.fit;
   fit.family = family;
-  fit.posed.X = line.X;
-  if (family == Family::kCylinder) {
-    fit.posed.D = Eigen::Vector4d(1.0, 1.0, 0.0, -line.r * line.r).asDiagonal();
-    return fit;
-  }
-  const double k = std::copysign(std::max(kLeastSlope, std::abs(slope)), slope);
-  fit.posed.D = Eigen::Vector4d(1.0, 1.0, -k * k, 0.0).asDiagonal();
-  fit.posed.X.translation() += (line.z - line.r / k) * line.X.linear().col(2);
+  fit.posed = straight_quadric(family, line, slope);
   return fit;
 }
 
@@ -91,7 +56,7 @@ void straighten(const std::vector<Member>& members, const WallSides& wall, Famil
   double slope = 0.0, points = 0.0;
   std::vector<ProfileLine> lines;
   for (const std::size_t i : wall) {
-    lines.push_back(profile_line(members[i], X_CA));
+    lines.push_back(profile_line(members[i].fit->points, members[i].part.local, X_CA));
     slope += members[i].part.fit.points * lines.back().slope;
     points += members[i].part.fit.points;
   }

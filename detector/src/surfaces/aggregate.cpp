@@ -9,10 +9,15 @@
 #include "samples/inliers.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
+#include "surfaces/two_pieces.hpp"
 #include "surfaces/two_walls.hpp"
 
 namespace quadrille {
 namespace {
+
+// Gain in the Bayesian information criterion from which on the evidence is very strong, by Kass and
+// Raftery, "Bayes factors" (1995). Two pieces that nothing else speaks for need it.
+constexpr double kStrongGain = 10.0;
 
 /// The area that a candidate explains, weighted by the quality of fit: a truncated quadratic in the
 /// distance.
@@ -173,6 +178,29 @@ void Aggregation::offer_planes(const std::vector<PlaneRegion>& planes) {
   }
 }
 
+void Aggregation::divide() {
+  for (std::size_t k = surfaces_.size(); k-- > 0;) {
+    const Surface* const sibling = sibling_of(surfaces_[k], surfaces_);
+    std::optional<TwoPieces> pieces =
+        two_pieces(surfaces_[k], sibling, samples_, accepted_.claims.free(), options_);
+    if (!pieces) continue;
+    judge_.weigh(&pieces->cylinder, accepted_);
+    judge_.weigh(&pieces->cone, accepted_);
+    if (!sibling && pieces->gain < kStrongGain &&
+        pieces->cylinder.confidence < options_.min_confidence) {
+      continue;
+    }
+    // The pieces explain the samples better than a credible surface does.
+    const double least = surfaces_[k].confidence;
+    remove(k);
+    for (Surface* piece : {&pieces->cylinder, &pieces->cone}) {
+      if (static_cast<int>(piece->region.size()) < options_.min_samples) continue;
+      piece->confidence = std::max(piece->confidence, least);
+      accept(std::move(*piece));
+    }
+  }
+}
+
 /// Merges the surface with earlier ones that the same quadric explains, and removes those. If these
 /// are the two walls of a body, they stay two.
 /// @return the surface, and the other walls of its body
@@ -186,8 +214,7 @@ std::vector<Surface> Aggregation::joined(Surface surface) {
     }
     // The union of two credible surfaces is no less credible than either.
     const double min_confidence = std::max(surface.confidence, surfaces_[k].confidence);
-    surfaces_.erase(surfaces_.begin() + static_cast<std::ptrdiff_t>(k));
-    accepted_.places.erase(accepted_.places.begin() + static_cast<std::ptrdiff_t>(k));
+    remove(k);
     if (std::optional<TwoWalls> walls = two_walls(*joint, samples_, options_)) {
       judge_.weigh(&walls->down, accepted_);
       judge_.weigh(&walls->up, accepted_);
@@ -201,6 +228,13 @@ std::vector<Surface> Aggregation::joined(Surface surface) {
   }
   result.push_back(std::move(surface));
   return result;
+}
+
+/// Removes an accepted surface; its samples stay claimed.
+void Aggregation::remove(std::size_t surface) {
+  const auto k = static_cast<std::ptrdiff_t>(surface);
+  surfaces_.erase(surfaces_.begin() + k);
+  accepted_.places.erase(accepted_.places.begin() + k);
 }
 
 void Aggregation::accept(Surface surface) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -31,6 +32,11 @@ class Aggregation {
   void offer(std::vector<Candidate> candidates, SearchLevel level,
              const std::function<bool(const Surface&)>& doubts = {});
 
+  /// Divides accepted surfaces that are a cylinder and a cone; see two_pieces(). Without a cylinder
+  /// beside them that shows the axis, the evidence must be very strong, or the new cylinder
+  /// credible alone.
+  void divide();
+
   /// Takes planes that were found among unclaimed samples, and accepts those that are credible
   /// surfaces of their own.
   void offer_planes(const std::vector<PlaneRegion>& planes);
@@ -43,6 +49,7 @@ class Aggregation {
   class Offer;
 
   std::vector<Surface> joined(Surface surface);
+  void remove(std::size_t surface);
   void accept(Surface surface);
 
   const SurfaceSamples& samples_;

@@ -108,6 +108,7 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
                       level > 0 ? SearchLevel::kCoarse : SearchLevel::kFinest);
     clock.end("aggregate");
   }
+  aggregation.divide();
   // The small pieces of a body share the axis of a larger one.
   if (options.search.axes > 0) {
     aggregation.offer(

@@ -1,0 +1,273 @@
+#include "surfaces/two_pieces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "fit/coaxial_fit.hpp"
+#include "fit/family_spec.hpp"
+#include "fit/straight_profile.hpp"
+#include "samples/inliers.hpp"
+#include "samples/region.hpp"
+#include "surfaces/evidence/evidence.hpp"
+#include "surfaces/join.hpp"
+#include "surfaces/samples_about.hpp"
+#include "surfaces/surface_fit.hpp"
+#include "surfaces/two_lines.hpp"
+
+namespace quadrille {
+namespace {
+
+// Number of steps of a fit about one axis, after which nearly all have converged.
+constexpr int kIterations = 6;
+// How often lines are sought and fitted. The axis of an ellipsoid that was fitted to a body and its
+// shoulder may lean by 8°, and needs three fits to stand.
+constexpr int kRounds = 4;
+// Pieces with so many times the loss of the one quadric do not become better by further rounds.
+constexpr double kHopeless = 2.0;
+// Least number of samples of a piece that is fitted: a cone has six unknowns.
+constexpr std::size_t kLeastSamples = 9;
+// Unknowns of an axis, which the pieces share.
+constexpr int kAxis = 4;
+// How far the axes of pieces of a body may seem apart, as noise turns the axes of small ones: 20°,
+// and a quarter of the radius.
+constexpr double kMaxSkew = 0.35, kMaxOffsetShare = 0.25;
+
+/// Pose of a surface's canonical frame, whose z axis is the axis.
+Eigen::Isometry3d axis_of(const Surface& surface) { return form_of(surface).X; }
+
+/// The samples of a piece, and the points and result of its fit.
+struct Piece {
+  std::vector<int> region;
+  Normalisation local;
+  OrientedPointsf points;
+  FamilyFit fit;
+
+  Eigen::Matrix4f matrix() const {
+    return local.to_frame(fit.posed.matrix()).normalized().matrix().cast<float>();
+  }
+};
+
+/// Divides one surface.
+class Division {
+ public:
+  Division(const Surface& surface, const Surface* sibling, const SurfaceSamples& samples,
+           const Mask& free, const AggregateOptions& options)
+      : surface_(surface),
+        samples_(samples),
+        options_(options),
+        flaw_(static_cast<float>(kFlawShare * surface.local.scale)),
+        X_CA_(axis_of(sibling ? *sibling : surface)),
+        around_(samples_about(X_CA_, surface.region, samples, free)),
+        loss_of_one_(loss_of_one()) {
+    if (!sibling) return;
+    sibling_ = piece_of(sibling->region, sibling->local);
+    sibling_->fit.family = sibling->fit.family;
+    sibling_->fit.posed = sibling->fit.posed;
+  }
+
+  std::optional<TwoPieces> pieces() {
+    const double of_one = criterion_of_one();
+    // No pieces are better than those that explain all samples exactly.
+    if (!(of_one > criterion_of_two(0.0))) return std::nullopt;
+    for (int round = 0; round < kRounds; ++round) {
+      if (!take_lines() || !fit()) return std::nullopt;
+      if (loss_of_two() > kHopeless * loss_of_one_) return std::nullopt;
+    }
+    const double gain = of_one - criterion_of_two(loss_of_two());
+    if (!(gain > 0.0)) return std::nullopt;
+    take_inliers();
+    std::array<Surface, 2> found;
+    for (std::size_t k = 0; k < 2; ++k) {
+      auto& [region, local, points, fit] = pieces_[k];
+      if (region.empty()) return std::nullopt;
+      const double share = static_cast<double>(region.size()) / size();
+      found[k] = surface_of(std::move(region), local, std::move(fit), points);
+      found[k].effective_size = std::max(2.0, share * effective_size());
+      if (is_thin(found[k], samples_)) return std::nullopt;
+    }
+    return TwoPieces{std::move(found[0]), std::move(found[1]), gain};
+  }
+
+ private:
+  double size() const { return static_cast<double>(around_.size()); }
+
+  /// A piece whose fit has no quadric yet.
+  Piece piece_of(std::vector<int> region, const Normalisation& local) const {
+    Piece piece{{}, local, fit_points(samples_, region, local, options_.fit_points), {}};
+    piece.fit.points = static_cast<int>(piece.points.size());
+    piece.region = std::move(region);
+    return piece;
+  }
+
+  float variance(int i) const { return samples_.sigma[i] * samples_.sigma[i] + flaw_ * flaw_; }
+
+  /// The profile of the samples around, sorted by height.
+  std::vector<std::pair<MeridianPoint, int>> profile() const {
+    const Eigen::Isometry3f X_AC = X_CA_.inverse().cast<float>();
+    std::vector<std::pair<MeridianPoint, int>> result;
+    for (const int i : around_) {
+      const Eigen::Vector3f x = X_AC * samples_.raw[i];
+      result.push_back({{x.z(), x.head<2>().norm(), variance(i)}, i});
+    }
+    std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.first.z, a.second) < std::pair(b.first.z, b.second);
+    });
+    return result;
+  }
+
+  /// Gives each piece the samples on its line. False if one has too few.
+  bool take_lines() {
+    if (around_.size() < kLeastProfile) return false;
+    const auto sorted = profile();
+    std::vector<MeridianPoint> points;
+    for (const auto& [point, i] : sorted) points.push_back(point);
+    const TwoLines lines = two_lines(points);
+    std::array<std::vector<int>, 2> regions;
+    for (const auto& [point, i] : sorted) {
+      assign(i, lines.loss_on_cylinder(point), lines.loss_on_cone(point), &regions);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (regions[k].size() < kLeastSamples) return false;
+      const Normalisation local = normalisation_of(samples_, regions[k]);
+      pieces_[k] = piece_of(std::move(regions[k]), local);
+    }
+    return true;
+  }
+
+  /// Adds a sample to the region of the piece on which it lies, if it lies on one.
+  static void assign(int i, float on_cylinder, float on_cone,
+                     std::array<std::vector<int>, 2>* regions) {
+    if (std::min(on_cylinder, on_cone) >= kMaxDeviations * kMaxDeviations) return;
+    (*regions)[on_cylinder <= on_cone ? 0 : 1].push_back(i);
+  }
+
+  /// Fits the pieces and the sibling about one axis.
+  bool fit() {
+    constexpr std::array kFamilies = {Family::kCylinder, Family::kCone};
+    std::vector<Piece*> fitted = {&pieces_[0], &pieces_[1]};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const ProfileLine line = profile_line(pieces_[k].points, pieces_[k].local, X_CA_);
+      pieces_[k].fit.family = kFamilies[k];
+      pieces_[k].fit.posed = straight_quadric(kFamilies[k], line, line.slope);
+    }
+    if (sibling_) fitted.push_back(&*sibling_);
+    std::vector<std::unique_ptr<DistanceSums<float>>> sums;
+    std::vector<CoaxialPart> parts;
+    for (const Piece* piece : fitted) {
+      sums.push_back(std::make_unique<DistanceSums<float>>(piece->points));
+      // A point counts for all samples for which it stands.
+      const double weight = static_cast<double>(piece->region.size()) / piece->fit.points;
+      parts.push_back({piece->fit, piece->local, sums.back().get(), weight});
+    }
+    const std::optional<CoaxialFit> joint = fit_coaxial(parts, kIterations);
+    if (!joint) return false;
+    for (std::size_t k = 0; k < fitted.size(); ++k) fitted[k]->fit = joint->parts[k];
+    X_CA_ = joint->X_CA;
+    return true;
+  }
+
+  float loss(int i, const Eigen::Matrix4f& Q) const {
+    return truncated_loss(distance_to(Q, samples_.raw[i]), variance(i));
+  }
+
+  /// Number of independent measurements among the samples around.
+  double effective_size() const {
+    const double share = surface_.effective_size / static_cast<double>(surface_.region.size());
+    return std::max(2.0, std::min(options_.effective_size, share * size()));
+  }
+
+  double criterion(double loss, int dof) const {
+    return effective_size() * loss / size() + dof * std::log(effective_size());
+  }
+
+  double loss_of_one() const {
+    const Eigen::Matrix4f Q = surface_.Q.matrix().cast<float>();
+    double sum = 0.0;
+    for (const int i : around_) sum += loss(i, Q);
+    return sum;
+  }
+
+  double criterion_of_one() const {
+    const double prior = sibling_ ? log_prior(form_of(surface_).type) : 0.0;
+    return criterion(loss_of_one_, family_spec(surface_.fit.family).dof) - 2.0 * prior;
+  }
+
+  double loss_of_two() const {
+    const std::array Q = {pieces_[0].matrix(), pieces_[1].matrix()};
+    double sum = 0.0;
+    for (const int i : around_) sum += std::min(loss(i, Q[0]), loss(i, Q[1]));
+    return sum;
+  }
+
+  /// Beside the pieces, the place of the crease between them is unknown.
+  double criterion_of_two(double loss) const {
+    const int dof = family_spec(Family::kCylinder).dof + family_spec(Family::kCone).dof - kAxis;
+    return criterion(loss, sibling_ ? dof : dof + 1);
+  }
+
+  /// Gives each piece the samples that lie on its quadric.
+  void take_inliers() {
+    const std::array Q = {pieces_[0].matrix(), pieces_[1].matrix()};
+    std::array<std::vector<int>, 2> regions;
+    for (const int i : around_) assign(i, loss(i, Q[0]), loss(i, Q[1]), &regions);
+    for (std::size_t k = 0; k < 2; ++k) pieces_[k].region = std::move(regions[k]);
+  }
+
+  const Surface& surface_;
+  const SurfaceSamples& samples_;
+  const AggregateOptions& options_;
+  /// How far a real object may deviate from a quadric [m].
+  float flaw_;
+  /// Pose whose z axis is the axis.
+  Eigen::Isometry3d X_CA_;
+  std::vector<int> around_;
+  double loss_of_one_;
+  std::optional<Piece> sibling_;
+  /// The cylinder and the cone.
+  std::array<Piece, 2> pieces_;
+};
+
+bool is_curved_along_axis(const Surface& surface) {
+  return has_one_axis(surface.fit.family) && !is_straight(surface.fit.family);
+}
+
+/// Foot of a point on an axis.
+Eigen::Vector3d foot_on(const Eigen::Isometry3d& X, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d z = X.linear().col(2);
+  return X.translation() + z * z.dot(p - X.translation());
+}
+
+bool about_one_axis(const Surface& cylinder, const Surface& surface) {
+  if (!may_meet(cylinder.local, surface.local)) return false;
+  const Eigen::Isometry3d a = axis_of(cylinder), b = axis_of(surface);
+  const Eigen::Vector3d& middle = surface.local.centre;
+  const double radius = cylinder.local.scale * form_of(cylinder).dimensions.front().second;
+  return std::abs(a.linear().col(2).dot(b.linear().col(2))) > std::cos(kMaxSkew) &&
+         (foot_on(a, middle) - foot_on(b, middle)).norm() < kMaxOffsetShare * radius;
+}
+
+}  // namespace
+
+const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfaces) {
+  const Surface* sibling = nullptr;
+  if (!is_curved_along_axis(surface)) return sibling;
+  for (const Surface& other : surfaces) {
+    if (other.fit.family != Family::kCylinder || !about_one_axis(other, surface)) continue;
+    if (!sibling || other.region.size() > sibling->region.size()) sibling = &other;
+  }
+  return sibling;
+}
+
+std::optional<TwoPieces> two_pieces(const Surface& surface, const Surface* sibling,
+                                    const SurfaceSamples& samples, const Mask& free,
+                                    const AggregateOptions& options) {
+  if (!is_curved_along_axis(surface)) return std::nullopt;
+  return Division(surface, sibling, samples, free, options).pieces();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "base/mask.hpp"
+#include "quadrille/detector/stage_options.hpp"
+#include "surfaces/surface.hpp"
+
+namespace quadrille {
+
+/// A cylinder and a cone that follow each other about one axis, such as the neck and the shoulder
+/// of a bottle.
+struct TwoPieces {
+  /// Without evidence. Either may have fewer samples than a surface needs.
+  Surface cylinder, cone;
+  /// By how much their Bayesian information criterion is less than that of the one quadric; more
+  /// than 0.
+  double gain = 0.0;
+};
+
+/// The largest cylinder with about the same axis as a surface of revolution, such as the body of a
+/// bottle for its neck; null if there is none.
+const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfaces);
+
+/// Tells a cylinder and the cone next to it apart, to which one curved quadric of revolution was
+/// fitted. Neck and shoulder of a bottle look like a hyperboloid of one sheet, shoulder and body
+/// like an ellipsoid.
+///
+/// About the axis, the profile of the samples around is two straight lines; see two_lines(). The
+/// pieces are fitted to the samples on these lines about one axis, together with the sibling, by
+/// fit_coaxial(). Then the lines are sought about the new axis. What lies on neither piece, like
+/// the crease between them that a sensor rounds, counts no more than kMaxDeviations allows.
+///
+/// A cone next to a sibling begins where that ends, so the pieces have one unknown less, and its
+/// quadric's type has the log_prior() of things in general, among which bottles are more common.
+/// @param sibling  see sibling_of(); may be null
+/// @param free     samples that belong to no surface
+/// @return nullopt if the one quadric explains the samples better, or is no candidate
+std::optional<TwoPieces> two_pieces(const Surface& surface, const Surface* sibling,
+                                    const SurfaceSamples& samples, const Mask& free,
+                                    const AggregateOptions& options);
+
+}  // namespace quadrille
