@@ -180,7 +180,7 @@ void Aggregation::offer_planes(const std::vector<PlaneRegion>& planes) {
 
 void Aggregation::divide() {
   for (std::size_t k = surfaces_.size(); k-- > 0;) {
-    const Surface* const sibling = sibling_of(surfaces_[k], surfaces_);
+    const Surface* const sibling = sibling_of(surfaces_[k], surfaces_, samples_);
     std::optional<TwoPieces> pieces =
         two_pieces(surfaces_[k], sibling, samples_, accepted_.claims.free(), options_);
     if (!pieces) continue;

@@ -23,8 +23,8 @@ struct Place {
 
 }  // namespace
 
-std::vector<int> samples_about(const Eigen::Isometry3d& X_CA, std::span<const int> region,
-                               const SurfaceSamples& samples, const Mask& free) {
+SamplesAbout samples_about(const Eigen::Isometry3d& X_CA, std::span<const int> region,
+                           const SurfaceSamples& samples, const Mask& free) {
   const Eigen::Isometry3f X_AC = X_CA.inverse().cast<float>();
   const auto place = [&](int i) {
     return Place{X_AC * samples.raw[i], X_AC.linear() * samples.n[i]};
@@ -54,7 +54,7 @@ std::vector<int> samples_about(const Eigen::Isometry3d& X_CA, std::span<const in
   }
   std::vector<int> all = flood(samples, std::move(start), joins);
   std::sort(all.begin(), all.end());
-  return all;
+  return {std::move(all), outside > 0};
 }
 
 }  // namespace quadrille

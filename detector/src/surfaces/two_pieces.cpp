@@ -71,6 +71,7 @@ class Division {
   }
 
   std::optional<TwoPieces> pieces() {
+    if (!around_.outside) return std::nullopt;
     const double of_one = criterion_of_one();
     // No pieces are better than those that explain all samples exactly.
     if (!(of_one > criterion_of_two(0.0))) return std::nullopt;
@@ -94,7 +95,7 @@ class Division {
   }
 
  private:
-  double size() const { return static_cast<double>(around_.size()); }
+  double size() const { return static_cast<double>(around_.samples.size()); }
 
   /// A piece whose fit has no quadric yet.
   Piece piece_of(std::vector<int> region, const Normalisation& local) const {
@@ -110,7 +111,7 @@ class Division {
   std::vector<std::pair<MeridianPoint, int>> profile() const {
     const Eigen::Isometry3f X_AC = X_CA_.inverse().cast<float>();
     std::vector<std::pair<MeridianPoint, int>> result;
-    for (const int i : around_) {
+    for (const int i : around_.samples) {
       const Eigen::Vector3f x = X_AC * samples_.raw[i];
       result.push_back({{x.z(), x.head<2>().norm(), variance(i)}, i});
     }
@@ -122,7 +123,7 @@ class Division {
 
   /// Gives each piece the samples on its line. False if one has too few.
   bool take_lines() {
-    if (around_.size() < kLeastProfile) return false;
+    if (around_.samples.size() < kLeastProfile) return false;
     const auto sorted = profile();
     std::vector<MeridianPoint> points;
     for (const auto& [point, i] : sorted) points.push_back(point);
@@ -188,7 +189,7 @@ class Division {
   double loss_of_one() const {
     const Eigen::Matrix4f Q = surface_.Q.matrix().cast<float>();
     double sum = 0.0;
-    for (const int i : around_) sum += loss(i, Q);
+    for (const int i : around_.samples) sum += loss(i, Q);
     return sum;
   }
 
@@ -200,7 +201,7 @@ class Division {
   double loss_of_two() const {
     const std::array Q = {pieces_[0].matrix(), pieces_[1].matrix()};
     double sum = 0.0;
-    for (const int i : around_) sum += std::min(loss(i, Q[0]), loss(i, Q[1]));
+    for (const int i : around_.samples) sum += std::min(loss(i, Q[0]), loss(i, Q[1]));
     return sum;
   }
 
@@ -214,7 +215,7 @@ class Division {
   void take_inliers() {
     const std::array Q = {pieces_[0].matrix(), pieces_[1].matrix()};
     std::array<std::vector<int>, 2> regions;
-    for (const int i : around_) assign(i, loss(i, Q[0]), loss(i, Q[1]), &regions);
+    for (const int i : around_.samples) assign(i, loss(i, Q[0]), loss(i, Q[1]), &regions);
     for (std::size_t k = 0; k < 2; ++k) pieces_[k].region = std::move(regions[k]);
   }
 
@@ -225,7 +226,7 @@ class Division {
   float flaw_;
   /// Pose whose z axis is the axis.
   Eigen::Isometry3d X_CA_;
-  std::vector<int> around_;
+  SamplesAbout around_;
   double loss_of_one_;
   std::optional<Piece> sibling_;
   /// The cylinder and the cone.
@@ -242,6 +243,7 @@ Eigen::Vector3d foot_on(const Eigen::Isometry3d& X, const Eigen::Vector3d& p) {
   return X.translation() + z * z.dot(p - X.translation());
 }
 
+/// True if a cylinder has about the axis of a surface.
 bool about_one_axis(const Surface& cylinder, const Surface& surface) {
   if (!may_meet(cylinder.local, surface.local)) return false;
   const Eigen::Isometry3d a = axis_of(cylinder), b = axis_of(surface);
@@ -251,13 +253,36 @@ bool about_one_axis(const Surface& cylinder, const Surface& surface) {
          (foot_on(a, middle) - foot_on(b, middle)).norm() < kMaxOffsetShare * radius;
 }
 
+/// True if the middle of a surface lies beyond the ends of another one along an axis.
+bool lies_beyond(const Surface& surface, const Surface& other, const Eigen::Vector3d& axis,
+                 const SurfaceSamples& samples) {
+  const auto height = [&](const Eigen::Vector3d& p) { return axis.dot(p - other.local.centre); };
+  const double middle = height(surface.local.centre);
+  return std::all_of(other.region.begin(), other.region.end(), [&](int i) {
+    const double h = height(samples.raw[i].cast<double>());
+    return middle > 0.0 ? h < middle : h > middle;
+  });
+}
+
+/// True if a cylinder and a surface follow each other along one axis, unlike the two sides of a
+/// wall.
+bool follow_each_other(const Surface& cylinder, const Surface& surface,
+                       const SurfaceSamples& samples) {
+  if (!about_one_axis(cylinder, surface)) return false;
+  const Eigen::Vector3d axis = axis_of(cylinder).linear().col(2);
+  return lies_beyond(cylinder, surface, axis, samples) &&
+         lies_beyond(surface, cylinder, axis, samples);
+}
+
 }  // namespace
 
-const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfaces) {
+const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfaces,
+                          const SurfaceSamples& samples) {
   const Surface* sibling = nullptr;
   if (!is_curved_along_axis(surface)) return sibling;
   for (const Surface& other : surfaces) {
-    if (other.fit.family != Family::kCylinder || !about_one_axis(other, surface)) continue;
+    if (other.fit.family != Family::kCylinder || !follow_each_other(other, surface, samples))
+      continue;
     if (!sibling || other.region.size() > sibling->region.size()) sibling = &other;
   }
   return sibling;

@@ -19,9 +19,10 @@ struct TwoPieces {
   double gain = 0.0;
 };
 
-/// The largest cylinder with about the same axis as a surface of revolution, such as the body of a
-/// bottle for its neck; null if there is none.
-const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfaces);
+/// The largest cylinder about the same axis before or behind a surface of revolution, such as the
+/// body of a bottle for its shoulder; null if there is none. The other side of its wall is none.
+const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfaces,
+                          const SurfaceSamples& samples);
 
 /// Tells a cylinder and the cone next to it apart, to which one curved quadric of revolution was
 /// fitted. Neck and shoulder of a bottle look like a hyperboloid of one sheet, shoulder and body
@@ -31,6 +32,8 @@ const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfa
 /// pieces are fitted to the samples on these lines about one axis, together with the sibling, by
 /// fit_coaxial(). Then the lines are sought about the new axis. What lies on neither piece, like
 /// the crease between them that a sensor rounds, counts no more than kMaxDeviations allows.
+///
+/// Inner sides are left whole: that of a mug is a cylinder that bends where it meets the bottom.
 ///
 /// A cone next to a sibling begins where that ends, so the pieces have one unknown less, and its
 /// quadric's type has the log_prior() of things in general, among which bottles are more common.

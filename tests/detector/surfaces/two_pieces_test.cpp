@@ -91,7 +91,7 @@ TEST_CASE("the neck and the shoulder of a bottle pass for a hyperboloid, and are
   const Surface both = surface_between(samples, kShoulder + 0.001, 1.0);
   REQUIRE(form_of(both).type == QuadricType::kHyperboloidOneSheet);
   const std::vector<Surface> surfaces = {both, body};
-  const Surface* sibling = sibling_of(surfaces[0], surfaces);
+  const Surface* sibling = sibling_of(surfaces[0], surfaces, samples);
   REQUIRE(sibling == &surfaces[1]);
   const auto pieces = two_pieces(both, sibling, samples, free_above(samples, kShoulder), {});
   REQUIRE(pieces);
@@ -128,6 +128,14 @@ TEST_CASE("a vase is one hyperboloid, and an egg one ellipsoid", "[pieces]") {
   CHECK_FALSE(two_pieces(surface_between(of_egg, -1.0, 1.0), nullptr, of_egg, {}, {}));
 }
 
+TEST_CASE("an inner side stays whole", "[pieces]") {
+  SurfaceSamples samples = bottle_samples(0.001, 1);
+  const Surface outer = surface_between(samples, 0.0, kTop);
+  REQUIRE(two_pieces(outer, nullptr, samples, {}, {}));
+  for (Eigen::Vector3f& n : samples.n) n = -n;
+  CHECK_FALSE(two_pieces(outer, nullptr, samples, {}, {}));
+}
+
 TEST_CASE("samples of other surfaces belong to neither piece", "[pieces]") {
   const SurfaceSamples samples = bottle_samples(0.001, 1);
   const Surface both = surface_between(samples, kShoulder + 0.001, kTop + 0.02);
@@ -145,11 +153,21 @@ TEST_CASE("samples of other surfaces belong to neither piece", "[pieces]") {
   CHECK(longer->cylinder.region.size() > pieces->cylinder.region.size());
 }
 
+TEST_CASE("the other side of a wall is no sibling", "[pieces]") {
+  const SurfaceSamples samples = bottle_samples(0.001, 1);
+  const Surface both = surface_between(samples, kShoulder + 0.001, 1.0);
+  Surface around = surface_between(samples, 0.0, kShoulder);
+  REQUIRE(sibling_of(both, std::vector{around}, samples));
+  around.region = both.region;
+  around.local.centre.z() = both.local.centre.z();
+  CHECK(sibling_of(both, std::vector{around}, samples) == nullptr);
+}
+
 TEST_CASE("a cylinder elsewhere is no sibling", "[pieces]") {
   const SurfaceSamples samples = bottle_samples(0.001, 1);
   const Surface both = surface_between(samples, kShoulder + 0.001, 1.0);
   Surface body = surface_between(samples, 0.0, kShoulder);
   body.fit.posed.X.translation().x() += 0.5;
-  CHECK(sibling_of(both, std::vector{body}) == nullptr);
-  CHECK(sibling_of(body, std::vector{both}) == nullptr);
+  CHECK(sibling_of(both, std::vector{body}, samples) == nullptr);
+  CHECK(sibling_of(body, std::vector{both}, samples) == nullptr);
 }
