@@ -9,6 +9,7 @@
 #include "samples/inliers.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
+#include "surfaces/sibling.hpp"
 #include "surfaces/two_pieces.hpp"
 #include "surfaces/two_walls.hpp"
 

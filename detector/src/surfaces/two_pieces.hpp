@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "base/mask.hpp"
 #include "quadrille/detector/stage_options.hpp"
@@ -19,11 +18,6 @@ struct TwoPieces {
   double gain = 0.0;
 };
 
-/// The largest cylinder about the same axis before or behind a surface of revolution, such as the
-/// body of a bottle for its shoulder; null if there is none. The other side of its wall is none.
-const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfaces,
-                          const SurfaceSamples& samples);
-
 /// Tells a cylinder and the cone next to it apart, to which one curved quadric of revolution was
 /// fitted. Neck and shoulder of a bottle look like a hyperboloid of one sheet, shoulder and body
 /// like an ellipsoid.
@@ -37,7 +31,7 @@ const Surface* sibling_of(const Surface& surface, std::span<const Surface> surfa
 ///
 /// A cone next to a sibling begins where that ends, so the pieces have one unknown less, and its
 /// quadric's type has the log_prior() of things in general, among which bottles are more common.
-/// @param sibling  see sibling_of(); may be null
+/// @param sibling  see sibling.hpp; may be null
 /// @param free     samples that belong to no surface
 /// @return nullopt if the one quadric explains the samples better, or is no candidate
 std::optional<TwoPieces> two_pieces(const Surface& surface, const Surface* sibling,

@@ -7,6 +7,7 @@
 
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
+#include "surfaces/sibling.hpp"
 #include "surfaces/surface_fit.hpp"
 
 using namespace quadrille;
