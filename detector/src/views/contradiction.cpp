@@ -137,12 +137,22 @@ bool Contradiction::passes_new(const Eigen::Vector3f& p_C) const {
   });
 }
 
-Mask Contradiction::of_points(std::span<const Eigen::Vector3f> points_C) const {
-  Mask contradicted = points_seen_through(points_C, older_, through_, newer_);
+Mask Contradiction::seen_through(std::span<const Eigen::Vector3f> points_C) const {
+  Mask through = points_seen_through(points_C, older_, through_, newer_);
   const Mask at_border = border_points_seen_through(points_C, older_, through_, newer_);
-  for (std::size_t n = 0; n < points_C.size(); ++n) {
-    contradicted[n] |= at_border[n] || (!places_C_.empty() && passes_new(points_C[n]));
-  }
+  for (std::size_t n = 0; n < points_C.size(); ++n) through[n] |= at_border[n];
+  return through;
+}
+
+void Contradiction::mark_behind_new(std::span<const Eigen::Vector3f> points_C,
+                                    Mask* marked) const {
+  if (places_C_.empty()) return;
+  for (std::size_t n = 0; n < points_C.size(); ++n) (*marked)[n] |= passes_new(points_C[n]);
+}
+
+Mask Contradiction::of_points(std::span<const Eigen::Vector3f> points_C) const {
+  Mask contradicted = seen_through(points_C);
+  mark_behind_new(points_C, &contradicted);
   return contradicted;
 }
 

@@ -26,6 +26,9 @@ class Contradiction {
   /// Marks the points of the older view that are contradicted.
   /// @param points_C  what the older view saw [m]
   Mask of_points(std::span<const Eigen::Vector3f> points_C) const;
+  /// Marks those of them that the newer view sees through, and those in or behind something new.
+  Mask seen_through(std::span<const Eigen::Vector3f> points_C) const;
+  void mark_behind_new(std::span<const Eigen::Vector3f> points_C, Mask* marked) const;
   /// Clears the cells of the older view that are contradicted: nothing was seen along their rays.
   void clear(Sight* older) const;
 

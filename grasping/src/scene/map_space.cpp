@@ -11,6 +11,7 @@
 
 #include "quadrille/detector/vector_clones.hpp"
 #include "scene/free_supports.hpp"
+#include "space/evidence.hpp"
 #include "space/map_limits.hpp"
 #include "space/space_mapper.hpp"
 #include "space/surface_cover.hpp"
@@ -61,10 +62,17 @@ bool all_kept(const float* x, const std::uint8_t* left_out, const float* low, co
   return kept != 0 && left == 0;
 }
 
-/// Keeps the points of a view that lie in a region.
+/// The points of all views that lie in the region around the targets, with the index of the view of
+/// each, and those beside it that the blocks of the map hold.
+struct KeptPoints {
+  std::vector<Eigen::Vector3f> p_C, beside_C;
+  std::vector<int> view;
+};
+
+/// Keeps the points of a view that lie in a region, and those in the blocks of the map about it.
 void keep_points(const std::vector<Eigen::Vector3f>& points, std::size_t view,
-                 const Eigen::AlignedBox3f& region, const std::vector<std::uint8_t>& left_out,
-                 ViewedPoints* kept) {
+                 const Eigen::AlignedBox3f& region, const Eigen::AlignedBox3f& blocks,
+                 const std::vector<std::uint8_t>& left_out, KeptPoints* kept) {
   using Bounds = Eigen::Matrix<float, 3, kAtOnce>;
   const Bounds low = region.min().replicate<1, kAtOnce>(),
                high = region.max().replicate<1, kAtOnce>();
@@ -80,15 +88,22 @@ void keep_points(const std::vector<Eigen::Vector3f>& points, std::size_t view,
       continue;
     }
     for (std::size_t n = first; n < end; ++n) {
-      if (region.contains(from[n]) && !left[n]) p_C.push_back(from[n]);
+      if (left[n]) continue;
+      if (region.contains(from[n])) {
+        p_C.push_back(from[n]);
+      } else if (blocks.contains(from[n])) {
+        kept->beside_C.push_back(from[n]);
+      }
     }
   }
   kept->view.resize(p_C.size(), static_cast<int>(view));
 }
 
 /// Adds the points of all views to the map, and keeps those around the targets.
-void add_views(const ViewClouds& views, const Eigen::AlignedBox3d& region, SpaceMapper* mapper,
-               SceneParts* parts) {
+/// @return the points in the map that are not around the targets
+std::vector<Eigen::Vector3f> add_views(const ViewClouds& views, const Eigen::AlignedBox3d& region,
+                                       SpaceMapper* mapper, SceneParts* parts) {
+  KeptPoints kept;
   // A single view has nothing to repeat.
   SurfaceCover cover(views.size() > 1 ? region : Eigen::AlignedBox3d(), mapper->resolution());
   for (std::size_t v = 0; v < views.size(); ++v) {
@@ -96,10 +111,16 @@ void add_views(const ViewClouds& views, const Eigen::AlignedBox3d& region, Space
     const std::vector<std::uint8_t> left_out =
         without_repeats(parts->views[v], things.points, cover, v == 0);
     mapper->add_points(things, left_out);
-    keep_points(things.points, v, region.cast<float>(), left_out, &parts->points);
+    keep_points(things.points, v, region.cast<float>(), mapper->bounds().cast<float>(), left_out,
+                &kept);
     if (v + 1 < views.size()) cover.add(things.points, left_out);
   }
-  parts->points.runs = CloudRuns(parts->points.p_C);
+  ViewedPoints& points = parts->points;
+  points.shared_C = std::make_shared<const std::vector<Eigen::Vector3f>>(std::move(kept.p_C));
+  points.p_C = *points.shared_C;
+  points.view = std::move(kept.view);
+  points.runs = CloudRuns(points.p_C);
+  return std::move(kept.beside_C);
 }
 
 /// Returns the normal of the first support; zero if no space is to be cleared above it.
@@ -121,13 +142,15 @@ void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* p
   }
   SpaceMapper mapper(region, resolution_for(region, parts), std::move(boxes),
                      parts->options.threads);
-  add_views(views, region, &mapper, parts);
+  std::vector<Eigen::Vector3f> beside_C = add_views(views, region, &mapper, parts);
   const bool occupied_by_map = known.map.tree && mapper.add(known.map);
   for (const SolidShape& shape : known.robot.shapes) {
     mapper.free_within(NearShape(shape, known.robot.padding));
   }
   parts->space = std::make_shared<OccupancyGrid>(
-      std::move(mapper).take_on_demand(parts->shared_views, up_to_clear(*parts)));
+      std::move(mapper).take_on_demand(parts->shared_views, up_to_clear(*parts),
+                                       {parts->points.shared_C, std::move(beside_C), known.map,
+                                        known.robot}));
   if (parts->targets.empty()) return;
   parts->surfaces = TargetSurfaces(parts->targets);
   const UnknownPolicy unknown = parts->options.unknown;

@@ -8,7 +8,9 @@
 
 #include "quadrille/grasping/occupancy.hpp"
 #include "space/each_cube.hpp"
+#include "space/evidence.hpp"
 #include "space/map_limits.hpp"
+#include "space/space_on_demand.hpp"
 
 namespace quadrille {
 namespace {
@@ -162,6 +164,18 @@ class CautiousBoxes {
 
 OccupancyGrid OccupancyGrid::moved(const Eigen::Isometry3d& X_FC) const {
   if (size_.isZero()) return *this;
+  if (!source_) return resampled(X_FC);
+  OccupancyGrid open = *this;
+  open.source_ = nullptr;
+  open.states_ = states();
+  std::replace(open.states_.begin(), open.states_.end(), Voxel::kOccupied, Voxel::kUnknown);
+  OccupancyGrid grid = open.resampled(X_FC);
+  source_->evidence().occupy(X_FC, &grid);
+  return grid;
+}
+
+/// Takes the most cautious state of all voxels that a voxel overlaps.
+OccupancyGrid OccupancyGrid::resampled(const Eigen::Isometry3d& X_FC) const {
   const Eigen::AlignedBox3d here = bounds();
   const Eigen::Matrix3d R_FC = X_FC.linear();
   const Eigen::Vector3d reach_F = R_FC.cwiseAbs() * (0.5 * here.sizes());

@@ -60,13 +60,15 @@ class SpaceMapper {
   /// Hands over the map that take_cleared() would give after the views were added, of which only
   /// the points were. Its free and clear voxels are decided when they are asked for.
   /// @param views  all views; the first one tells which voxels are clear
+  /// @param evidence  all that was added
   OccupancyGrid take_on_demand(std::shared_ptr<const std::vector<DepthView>> views,
-                               const Eigen::Vector3d& up_C) &&;
+                               const Eigen::Vector3d& up_C, OccupancyGrid::Evidence evidence) &&;
 
   // The parts from which the map is made on demand:
 
   const Eigen::Vector3i& size() const { return grid_.size(); }
   double resolution() const { return grid_.resolution(); }
+  Eigen::AlignedBox3d bounds() const { return grid_.bounds(); }
   /// Centre of a voxel in frame C [m].
   Eigen::Vector3d centre(const Eigen::Vector3i& at) const {
     return grid_.centre(at.x(), at.y(), at.z());

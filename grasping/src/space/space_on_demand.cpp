@@ -19,11 +19,12 @@ std::atomic_ref<Voxel> shared(Voxel& state) { return std::atomic_ref<Voxel>(stat
 
 OccupancyGrid::Source::Source(SpaceMapper mapper,
                               std::shared_ptr<const std::vector<DepthView>> views,
-                              const Eigen::Vector3d& up_C)
+                              const Eigen::Vector3d& up_C, Evidence evidence)
     : mapper_(std::move(mapper)),
       views_(std::move(views)),
       up_C_(up_C),
       up_(up_C, mapper_.size()),
+      evidence_(std::move(evidence)),
       decided_(mapper_.blocks()) {}
 
 std::atomic<bool>& OccupancyGrid::Source::decided(const Eigen::Vector3i& voxel) {
@@ -107,9 +108,11 @@ const std::vector<Voxel>& OccupancyGrid::Source::all() {
 }
 
 OccupancyGrid SpaceMapper::take_on_demand(std::shared_ptr<const std::vector<DepthView>> views,
-                                          const Eigen::Vector3d& up_C) && {
+                                          const Eigen::Vector3d& up_C,
+                                          OccupancyGrid::Evidence evidence) && {
   OccupancyGrid grid = grid_;
-  grid.source_ = std::make_shared<OccupancyGrid::Source>(std::move(*this), std::move(views), up_C);
+  grid.source_ = std::make_shared<OccupancyGrid::Source>(std::move(*this), std::move(views), up_C,
+                                                         std::move(evidence));
   return grid;
 }
 

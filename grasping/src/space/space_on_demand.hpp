@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadrille/grasping/occupancy.hpp"
+#include "space/evidence.hpp"
 #include "space/space_mapper.hpp"
 #include "space/upward_steps.hpp"
 #include "view/depth_view.hpp"
@@ -25,8 +26,9 @@ class OccupancyGrid::Source {
   /// @param mapper  knows all occupied voxels, and free ones that no view tells of
   /// @param views  the views that tell which others are free
   /// @param up_C  as in SpaceMapper::take_cleared(), for the first view
+  /// @param evidence  what the occupied voxels are from
   Source(SpaceMapper mapper, std::shared_ptr<const std::vector<DepthView>> views,
-         const Eigen::Vector3d& up_C);
+         const Eigen::Vector3d& up_C, Evidence evidence);
 
   /// Returns the state of a voxel.
   Voxel at(const Eigen::Vector3i& voxel);
@@ -34,6 +36,7 @@ class OccupancyGrid::Source {
   const std::vector<Voxel>& all();
   /// Tells which voxels are occupied, but not which of the others are free.
   const SpaceMapper& occupied() const { return mapper_; }
+  const Evidence& evidence() const { return evidence_; }
 
  private:
   std::atomic<bool>& decided(const Eigen::Vector3i& voxel);
@@ -45,6 +48,7 @@ class OccupancyGrid::Source {
   std::shared_ptr<const std::vector<DepthView>> views_;
   Eigen::Vector3d up_C_;
   UpwardSteps up_;
+  Evidence evidence_;
   /// Held by whoever decides or settles voxels.
   std::mutex mutex_;
   /// For each block, whether its free voxels are marked.

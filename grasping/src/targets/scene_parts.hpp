@@ -33,7 +33,9 @@ struct ShapeOwner {
 
 /// Points of several views.
 struct ViewedPoints {
-  std::vector<Eigen::Vector3f> p_C;
+  /// The space keeps them, too.
+  std::shared_ptr<const std::vector<Eigen::Vector3f>> shared_C;
+  std::span<const Eigen::Vector3f> p_C;
   /// For each point, the index of the view.
   std::vector<int> view;
   /// The points once more, to look at some of them.

@@ -41,7 +41,7 @@ OccupancyGrid decided_on_demand(const Scene& scene, const Eigen::Vector3d& up,
     views->emplace_back(cloud);
     mapper.add_points(cloud, views->back().stray());
   }
-  return std::move(mapper).take_on_demand(std::move(views), up);
+  return std::move(mapper).take_on_demand(std::move(views), up, {});
 }
 
 std::vector<Eigen::Vector3d> centres(const OccupancyGrid& grid) {

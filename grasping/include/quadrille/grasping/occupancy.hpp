@@ -73,9 +73,11 @@ class OccupancyGrid {
   }
   const std::vector<Voxel>& states() const { return source_ ? all_of_source() : states_; }
 
-  /// Resamples the grid in frame F. The resolution stays the same, but is coarser if the grid would
+  /// Makes the grid in frame F. The resolution stays the same, but is coarser if the grid would
   /// otherwise exceed kMaxVoxels. If the lattice is rotated, a voxel overlaps several old ones and
-  /// takes the most cautious state: occupied if any is, free only if all are.
+  /// takes their most cautious state: free only if all are, and occupied if any is. The grid of a
+  /// plan knows its points; there a voxel is occupied only if it holds one, as in C, and unknown if
+  /// it holds none but overlaps an occupied one.
   /// @throws std::invalid_argument if the region then leaves OctoMap's range
   QUADRILLE_EXPORT OccupancyGrid moved(const Eigen::Isometry3d& X_FC) const;
 
@@ -88,10 +90,13 @@ class OccupancyGrid {
   friend class ObstacleMap;
   /// Decides voxels when they are asked for.
   class Source;
+  /// What says which voxels are occupied.
+  struct Evidence;
 
   OccupancyGrid() = default;
   /// Makes the grid without any states, which must be added.
   static OccupancyGrid without_states(const Eigen::AlignedBox3d& region, double resolution);
+  OccupancyGrid resampled(const Eigen::Isometry3d& X_FC) const;
   QUADRILLE_EXPORT const std::vector<Voxel>& all_of_source() const;
 
   double resolution_ = 0.0;
