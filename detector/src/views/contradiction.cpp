@@ -144,8 +144,7 @@ Mask Contradiction::seen_through(std::span<const Eigen::Vector3f> points_C) cons
   return through;
 }
 
-void Contradiction::mark_behind_new(std::span<const Eigen::Vector3f> points_C,
-                                    Mask* marked) const {
+void Contradiction::mark_behind_new(std::span<const Eigen::Vector3f> points_C, Mask* marked) const {
   if (places_C_.empty()) return;
   for (std::size_t n = 0; n < points_C.size(); ++n) (*marked)[n] |= passes_new(points_C[n]);
 }

@@ -86,8 +86,8 @@ void drop_open_planes(ViewParts* parts) {
 /// Marks all samples of a surface if most of them are marked. If a thing was taken away, no view
 /// sees through its foot, which lies too close above what it stood on.
 void mark_rest(const std::vector<int>& region, Mask* marked) {
-  const auto count = std::count_if(region.begin(), region.end(),
-                                   [&](int i) { return (*marked)[i] != 0; });
+  const auto count =
+      std::count_if(region.begin(), region.end(), [&](int i) { return (*marked)[i] != 0; });
   if (2 * static_cast<std::size_t>(count) <= region.size()) return;
   for (const int i : region) (*marked)[i] = 1;
 }

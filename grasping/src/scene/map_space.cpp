@@ -147,10 +147,9 @@ void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* p
   for (const SolidShape& shape : known.robot.shapes) {
     mapper.free_within(NearShape(shape, known.robot.padding));
   }
-  parts->space = std::make_shared<OccupancyGrid>(
-      std::move(mapper).take_on_demand(parts->shared_views, up_to_clear(*parts),
-                                       {parts->points.shared_C, std::move(beside_C), known.map,
-                                        known.robot}));
+  parts->space = std::make_shared<OccupancyGrid>(std::move(mapper).take_on_demand(
+      parts->shared_views, up_to_clear(*parts),
+      {parts->points.shared_C, std::move(beside_C), known.map, known.robot}));
   if (parts->targets.empty()) return;
   parts->surfaces = TargetSurfaces(parts->targets);
   const UnknownPolicy unknown = parts->options.unknown;

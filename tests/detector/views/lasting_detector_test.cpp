@@ -154,6 +154,25 @@ TEST_CASE("a thing that was taken away is found no longer", "[views][lasting]") 
   CHECK(can_of(after) != nullptr);
 }
 
+TEST_CASE(
+    "nothing is found of a bowl that was taken away, though its bottom lay close to the table",
+    "[views][lasting]") {
+  Patch bowl = sphere(Eigen::Isometry3d(Eigen::Translation3d(kBall_W)), kBall);
+  bowl.box_B.max().z() = -0.4 * kBall;
+  std::vector<Patch> with_bowl = world_without_ball();
+  with_bowl.push_back(bowl);
+  LastingDetector detector;
+  for (int n = 0; n < 3; ++n) add_view(detector, 1.0 + n, seen_from(40.0 * n, with_bowl));
+  const auto count_near = [](const DetectionResult& in_world) {
+    return std::count_if(in_world.bodies.begin(), in_world.bodies.end(), [](const SceneBody& body) {
+      return (body.X_CB.translation() - kBall_W).norm() < 0.1;
+    });
+  };
+  REQUIRE(count_near(add_view(detector, 4, seen_from(120, with_bowl))) > 0);
+  add_view(detector, 5, seen_from(20, world_without_ball()));
+  CHECK(count_near(add_view(detector, 6, seen_from(100, world_without_ball()))) == 0);
+}
+
 TEST_CASE("a thing that was put down is found at once", "[views][lasting]") {
   LastingDetector detector;
   add_view(detector, 1, seen_from(0, world_without_ball()));
