@@ -96,6 +96,17 @@ bool CameraPoses::jumps_to(const bus::PoseMessage& pose) const {
          is_jump(*before, pose);
 }
 
+bool CameraPoses::is_set_anew(std::int64_t before, std::int64_t after) const {
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  history_.each_step(before, after, [&](const bus::PoseMessage& a, const bus::PoseMessage& b) {
+    if (!is_jump(a, b)) return;
+    shift += b.X_WC.translation() - a.X_WC.translation();
+    turn = Eigen::Quaterniond(b.X_WC.linear() * a.X_WC.linear().transpose()) * turn;
+  });
+  return shift.norm() > kNoJump || turn.angularDistance(Eigen::Quaterniond::Identity()) > kNoTurn;
+}
+
 /// Estimates the motion from the newest pose and the last one before it that is far enough in time
 /// that noise does not look like motion.
 Motion CameraPoses::newest_motion() const {

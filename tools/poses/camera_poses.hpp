@@ -26,6 +26,9 @@ struct CameraPose {
   /// Motion of the camera between these two poses or the newest ones; 0 if it is not known.
   Motion motion = {};
   PoseLack lack = PoseLack::kNoPose;
+  /// How often the fixed frame was set anew before the cloud, as far as that is known: the poses
+  /// jumped, and did not come back.
+  int frame = 0;
   /// The problem and its remedy, for the log; empty if the pose is known.
   std::string detail = {};
 };
@@ -44,6 +47,9 @@ class CameraPoses {
   /// used as it is. There is none if a camera cannot have moved from the one to the other, or to
   /// that pose from the one before it.
   CameraPose at(std::int64_t utime) const;
+
+  /// Returns true if the poses jumped between two clouds [us] and did not come back.
+  bool is_set_anew(std::int64_t before, std::int64_t after) const;
 
   /// Explains why a cloud has no pose, and what to do about it.
   std::string explain(std::int64_t utime, const CameraPose& none) const;

@@ -156,6 +156,7 @@ void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* p
   parts->map.emplace(*parts->space,
                      unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
                      parts->views, !occupied_by_map);
+  if (occupied_by_map) parts->known_map = TurnedMap::of(known.map, *parts->space, known.robot);
   // The map of others shows no points of its own, so that nothing tells what its voxels hold.
   if (!occupied_by_map) free_supports(parts, &*parts->map);
 }

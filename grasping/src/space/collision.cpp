@@ -62,10 +62,12 @@ bool hits(std::span<const OrientedBox> boxes, const std::vector<CollisionShape>&
   });
 }
 
-Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double margin) {
+Hit voxel_hit(std::span<const OrientedBox> boxes, const CollisionScene& scene, double margin) {
   for (const OrientedBox& box : boxes) {
-    const Hit hit = map.collides(margin > 0.0 ? box.inflated(margin) : box);
+    const OrientedBox grown = margin > 0.0 ? box.inflated(margin) : box;
+    const Hit hit = scene.map.collides(grown);
     if (hit != Hit::kNone) return hit;
+    if (scene.known_map && scene.known_map->meets(grown)) return Hit::kOccupied;
   }
   return Hit::kNone;
 }
@@ -101,7 +103,7 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
     }
   }
   for (const auto boxes : {solid, closing}) {
-    const Hit hit = voxel_hit(boxes, scene.map, 0.0);
+    const Hit hit = voxel_hit(boxes, scene, 0.0);
     if (hit == Hit::kOccupied) return Obstruction::kOccupied;
     if (hit == Hit::kUnknown) return Obstruction::kUnknown;
   }
@@ -179,7 +181,7 @@ double CollisionScene::clearance(const SweptHand& hand) const {
         return std::any_of(planes.begin(), planes.end(),
                            [&](const SupportPlane& plane) { return crosses(check.box, plane, r); });
       case Kind::kVoxel:
-        return voxel_hit(check.box, map, r) != Hit::kNone;
+        return voxel_hit(check.box, *this, r) != Hit::kNone;
       case Kind::kPoint:
         return touch(check.box, other_points, r);
       default:

@@ -9,6 +9,7 @@
 #include "quadrille/grasping/collision_shape.hpp"
 #include "space/obstacle_map.hpp"
 #include "space/obstacle_points.hpp"
+#include "space/turned_map.hpp"
 
 namespace quadrille {
 
@@ -59,6 +60,8 @@ struct CollisionScene {
   ObstaclePoints points = {};
   /// The measured points about the target that belong to other things.
   ObstaclePoints other_points = {};
+  /// The voxels of a map from elsewhere, in its own frame.
+  std::optional<TurnedMap> known_map = {};
   /// Distance to keep from shapes and planes, which are known only as accurately as they were
   /// fitted; from planes it is more if their flatness() is [m].
   double margin = 0.002;

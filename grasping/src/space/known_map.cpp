@@ -1,6 +1,8 @@
 // Adds the space that a given OctoMap knows, and the robot's own space, to what the views show.
 #include <octomap/OcTree.h>
 
+#include <cmath>
+
 #include "space/each_cube.hpp"
 #include "space/space_mapper.hpp"
 
@@ -18,6 +20,25 @@ Eigen::Vector3d to_eigen(const octomap::point3d& p) { return {p.x(), p.y(), p.z(
 Eigen::AlignedBox3d within_tree(const Eigen::AlignedBox3d& region_M, const octomap::OcTree& tree) {
   const Eigen::Vector3d most = Eigen::Vector3d::Constant(32767.0 * tree.getResolution());
   return region_M.intersection(Eigen::AlignedBox3d(-most, most));
+}
+
+/// Calls visit(p) for the middles of the voxels in a cube of a map that may lie in a voxel of
+/// another lattice with its middle outside of the cube.
+/// @param region  only those in or beside it count
+/// @param edge, other  edges of the voxels of both lattices [m]
+template <class Visit>
+void each_outer_middle(const Eigen::AlignedBox3d& cube, const Eigen::AlignedBox3d& region,
+                       double edge, double other, Visit&& visit) {
+  const Eigen::Array3d last = (cube.sizes().array() / edge).round().max(1.0) - 1.0;
+  const Eigen::Array3d low = ((region.min() - cube.min()).array() / edge).floor().max(0.0);
+  const Eigen::Array3d high = ((region.max() - cube.min()).array() / edge).floor().min(last);
+  const double layers = std::ceil(0.5 * std::sqrt(3.0) * other / edge) + 1.0;
+  if ((low > high).any()) return;
+  each_cube(low.cast<int>(), high.cast<int>() + 1, 1, [&](const Eigen::Vector3i& voxel) {
+    const Eigen::Array3d at = voxel.cast<double>().array();
+    if ((at >= layers).all() && (at <= last - layers).all()) return;
+    visit(Eigen::Vector3d(cube.min().array() + edge * (at + 0.5)));
+  });
 }
 
 }  // namespace
@@ -59,11 +80,15 @@ bool SpaceMapper::add(const KnownMap& map) {
     each_voxel(cube_M.transformed(map.X_CM), [&](const Eigen::Vector3i& at) {
       if (cube_M.contains(X_MC * centre(at))) mark(at);
     });
-    // The voxel at the middle of a small or turned leaf may have its own middle elsewhere.
-    const Eigen::Vector3d middle_C = map.X_CM * middle_M;
-    const double reach = 0.5 * grid_.resolution();
     if (!occupied) continue;
-    each_voxel({middle_C.array() - reach, middle_C.array() + reach}, mark);
+    // The voxel at the middle of a small or turned one of the map may have its own middle
+    // elsewhere.
+    each_outer_middle(cube_M, region_M, tree.getResolution(), grid_.resolution(),
+                      [&](const Eigen::Vector3d& p_M) {
+                        const Eigen::Vector3d p_C = map.X_CM * p_M;
+                        const double reach = 0.5 * grid_.resolution();
+                        each_voxel({p_C.array() - reach, p_C.array() + reach}, mark);
+                      });
   }
   return any_occupied;
 }

@@ -16,6 +16,7 @@
 #include "quadrille/grasping/plan_options.hpp"
 #include "quadrille/grasping/refusal.hpp"
 #include "space/obstacle_map.hpp"
+#include "space/turned_map.hpp"
 #include "targets/target.hpp"
 #include "targets/target_surfaces.hpp"
 #include "view/depth_view.hpp"
@@ -76,6 +77,8 @@ struct SceneParts {
   /// The voxels of that space, including the targets' own. The map refers to the views, so both
   /// must keep their addresses.
   std::optional<ObstacleMap> map;
+  /// The map from elsewhere, if its voxels are not those of the space.
+  std::optional<TurnedMap> known_map;
   std::vector<std::string> warnings;
   std::vector<StageTime> timings;
 

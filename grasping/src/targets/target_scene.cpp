@@ -32,6 +32,7 @@ bool part_of(const ShapeOwner& other, const Body& body) {
 CollisionScene uncarved_scene(const Target& target, const SceneParts& parts) {
   const Eigen::AlignedBox3d region = around(target.body, parts.reach + kMaxClearance);
   CollisionScene scene{parts.map->within(region), target.supports, {}, {}, {}};
+  if (parts.known_map) scene.known_map = parts.known_map->within(region);
   for (std::size_t n = 0; n < parts.shapes.size(); ++n) {
     const ShapeOwner& owner = parts.owners[n];
     const CollisionShape& shape = parts.shapes[n];
@@ -87,7 +88,10 @@ bool holds_up(const Target& target, const OccupancyGrid& space, const Eigen::Vec
   return std::any_of(target.supports.begin(), target.supports.end(), near);
 }
 
-void clear_shadow(const Body& body, const SceneParts& parts, CollisionScene& scene) {
+/// Lets the voxels of a map from elsewhere give way with those of the plan, and clears the shadow
+/// of the target if that is wanted.
+void end_carving(const Body& body, const SceneParts& parts, CollisionScene& scene) {
+  if (scene.known_map) scene.known_map->follow(scene.map);
   if (parts.options.unknown != UnknownPolicy::kTargetShadow) return;
   scene.map.clear_shadow(body, around(body, parts.reach));
 }
@@ -101,7 +105,7 @@ CollisionScene solid_scene(const Target& target, const SceneParts& parts) {
   scene.map.carve(target.body, carve_margin(parts, target), [&](const Eigen::Vector3d& p_C) {
     return unexplained.contains(p_C) || holds_up(target, *parts.space, p_C);
   });
-  clear_shadow(target.body, parts, scene);
+  end_carving(target.body, parts, scene);
   return scene;
 }
 
@@ -118,7 +122,7 @@ CollisionScene point_scene(const Target& target, const TargetPoints& points,
   if (target.solid) scene.target = make_pieces(target.body);
   scene.map.carve(points.all.p_C, carve_margin(parts, target),
                   [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
-  clear_shadow(target.body, parts, scene);
+  end_carving(target.body, parts, scene);
   return scene;
 }
 
@@ -131,7 +135,7 @@ CollisionScene shell_scene(const Target& target, const SceneParts& parts) {
   scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
     return !shell.in_wall(p_C, margin) || holds_up(target, *parts.space, p_C);
   });
-  clear_shadow(shell.body, parts, scene);
+  end_carving(shell.body, parts, scene);
   return scene;
 }
 

@@ -62,6 +62,29 @@ TEST_CASE("clouds where the poses jump have none, and the reason is told", "[pro
   CHECK(f.reasons() == "jump 3 ");
 }
 
+TEST_CASE("poses that jump and stay there are those of a frame that was set anew",
+          "[process][pose]") {
+  const LoggedLines log;
+  const bool stays = GENERATE(true, false);
+  MovingCamera f;
+  const Eigen::Isometry3d off(Eigen::Translation3d(0.0, 0.5, 0.0));
+  for (int i = 0; i <= 10; ++i) {
+    const bool is_off = stays ? i > 4 : i == 5 || i == 6;
+    f.pose(40 * kMs * i, 0, is_off ? off : Eigen::Isometry3d::Identity());
+  }
+  for (const std::int64_t utime : {60, 100, 140}) {
+    f.cloud(utime * kMs, 0);
+    CHECK(f.last.X_WK);
+    CHECK(f.last.frame == 0);
+  }
+  for (const std::int64_t utime : {300, 340}) {
+    f.cloud(utime * kMs, 0);
+    CHECK(f.last.X_WK);
+    CHECK(f.last.frame == (stays ? 1 : 0));
+  }
+  CHECK(log.have("POSE: the poses jumped before cloud 300000, and did not come back") == stays);
+}
+
 TEST_CASE("poses that follow each other at once may differ by their noise", "[process][pose]") {
   MovingCamera f;
   const Eigen::Isometry3d off(Eigen::Translation3d(0.0, 0.04, 0.0));

@@ -68,6 +68,13 @@ std::vector<Job> PosedClouds::finish(const WaitingClouds<Thens>::Posed& due) {
 void PosedClouds::note(std::int64_t utime, const CameraPose& pose) {
   last_age_ = pose.age;
   if (pose.X_WK) {
+    if (pose.frame != frame_) {
+      frame_ = pose.frame;
+      frame_log_.warning(fmt::format(
+          "{}: the poses jumped before cloud {}, and did not come back: what earlier clouds showed "
+          "is forgotten",
+          source_.channel, utime));
+    }
     const std::string far = describe_if_far(pose);
     if (!far.empty()) far_log_.warning(source_.channel + ": " + far);
     return;
