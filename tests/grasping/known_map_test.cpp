@@ -12,6 +12,7 @@
 #include "grasping/known_scene.hpp"
 #include "grasping/plans.hpp"
 #include "grasping/scenes.hpp"
+#include "hand/oriented_box.hpp"
 #include "quadrille/grasping/grasp.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/plan.hpp"
@@ -64,6 +65,16 @@ TEST_CASE("hands that meet what a map says is occupied are refused, and no other
   // A search ends after many tries, and those that fail early count less.
   CHECK(5 * lost < clear);
   for (std::size_t n = 0; n < kept.size(); n += 11) CHECK_FALSE(meets(kept[n], -doubt));
+  // No hand has as much as a corner in a voxel of the map.
+  const auto in_voxel = [&](const Eigen::Vector3d& p_C) {
+    const octomap::OcTreeNode* node = known.map.tree->search(octo_point(X_CM.inverse() * p_C));
+    return node != nullptr && known.map.tree->isNodeOccupied(node);
+  };
+  for (std::size_t n = 0; n < kept.size(); n += 11) {
+    std::vector<OrientedBox> boxes = boxes_of(kept[n]);
+    for (OrientedBox& box : boxes) box = box.inflated(-1e-5);
+    CHECK_FALSE(any_place_in(boxes, in_voxel));
+  }
 }
 
 TEST_CASE("each occupied voxel of a map, however small and turned, is in the plan's map",
