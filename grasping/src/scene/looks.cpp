@@ -114,8 +114,6 @@ bool crosses(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& a, const Eig
 /// A body that lacks a grasp, and the unknown places about it.
 struct Doubtful {
   const SceneBody* body = nullptr;
-  /// What the score of its best grasp is short of 1.
-  double lack = 1.0;
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> unknown_C;
 };
@@ -133,7 +131,7 @@ class LookChooser {
     }
     for (const SceneBody& body : bodies) {
       if (!lacks_a_view(plan, body)) continue;
-      Doubtful doubtful{&body, 1.0 - best_score(plan, body), up_of(body, detections), {}};
+      Doubtful doubtful{&body, up_of(body, detections), {}};
       doubtful.unknown_C = unknown_about(body, doubtful.up_C);
       if (!doubtful.unknown_C.empty()) doubtful_.push_back(std::move(doubtful));
     }
@@ -225,12 +223,13 @@ class LookChooser {
       }
       const double share =
           static_cast<double>(seen) / static_cast<double>(doubtful.unknown_C.size());
-      if (share < kMinShare) continue;
-      helped.emplace_back(-share, doubtful.body->id);
-      look.gain += doubtful.lack * share;
+      if (share >= kMinShare) helped.emplace_back(-share, doubtful.body->id);
     }
     std::sort(helped.begin(), helped.end());
-    for (const auto& [share, id] : helped) look.bodies.push_back(id);
+    for (const auto& [share, id] : helped) {
+      look.gain -= share;
+      look.bodies.push_back(id);
+    }
     look.X_CK = rounded(pose_at(eye_C, ahead, centre.up_C));
     return look;
   }
