@@ -53,6 +53,23 @@ double Body::width_std(const Eigen::Vector3d& d_Q, double z) const {
   return std::min(sum, kMaxStd);
 }
 
+// The radius r = a·s(z) has the slope r' = a·s'(z), which follows from a and c by
+//   d ln r' = da/a + k·dc/c,
+// with k = 0 for cones and paraboloids. For the hyperboloids s² = z²/c² ± 1, hence
+//   k = −2 + (z²/c²)/s².
+double Body::lean_std(double z) const {
+  const bool hyperbolic = profile == Profile::kHyperbola || profile == Profile::kSheet;
+  if (!hyperbolic && profile != Profile::kLinear && profile != Profile::kRoot) return 0.0;
+  const double rise = std::max(a, b) * std::abs(slope(z));
+  double share = std::max(std.x() / a, std.y() / b);
+  if (hyperbolic) {
+    const double s = std::max(scale(z), 1e-9), k = z * z / (c * c * s * s) - 2.0;
+    share = std::hypot(share, k * std.z() / c);
+  }
+  // The angle is atan r'.
+  return share * rise / (1.0 + rise * rise);
+}
+
 double Body::least_width_std(const Eigen::Vector3d& d_Q) const {
   const bool even = profile == Profile::kConstant || profile == Profile::kEllipse;
   return even ? width_std(d_Q, 0.0) : 0.0;

@@ -52,6 +52,10 @@ struct Body {
   /// Standard deviation of half the width across unit direction d_Q at height z, at most 10 mm [m].
   /// Each semi-axis contributes according to the direction: h² = Σ aᵢ²dᵢ², so dh = Σ aᵢdᵢ²·daᵢ/h.
   double width_std(const Eigen::Vector3d& d_Q, double z) const;
+  /// Standard deviation of the angle by which the surface leans from the axis at height z, given
+  /// those of the semi-axes [rad]; 0 for cylinders and boxes, which lean nowhere, and for
+  /// ellipsoids.
+  double lean_std(double z) const;
   /// A lower bound of width_std() across a direction at all heights: exact for cylinders and
   /// ellipsoids, otherwise 0 [m].
   double least_width_std(const Eigen::Vector3d& d_Q) const;

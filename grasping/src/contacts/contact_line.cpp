@@ -23,7 +23,7 @@ constexpr double kMaxOffPad = 0.45;
 /// The line through ±p_Q + offset_Q, with the outward normals at its two ends.
 struct Pair {
   Eigen::Vector3d offset_Q, p_Q, closing_Q, n_plus_Q, n_minus_Q;
-  double opening, std;
+  double opening, std, lean_std;
 };
 
 ContactLine placed(const Body& body, const Pair& pair) {
@@ -37,6 +37,7 @@ ContactLine placed(const Body& body, const Pair& pair) {
   line.width = 2.0 * pair.p_Q.dot(pair.closing_Q);
   line.opening = std::max(pair.opening, line.width);
   line.std = pair.std;
+  line.lean_std = pair.lean_std;
   return line;
 }
 
@@ -66,24 +67,39 @@ std::vector<double> heights(const Body& body, const Gripper& gripper) {
   return z;
 }
 
+/// Returns the height at which pads meet a body that they hold at height z. Beside a waist flat
+/// pads meet it where it is widest, and steepest, within their reach; with the waist between their
+/// ends they rest on both of these, so that they cannot slide.
+double meeting_height(const Body& body, double z, double low, double high) {
+  if (body.profile != Body::Profile::kHyperbola || (low < 0.0 && high > 0.0)) return z;
+  return low >= 0.0 ? high : low;
+}
+
 void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d& view_Q,
                 const Eigen::Vector3d& up_Q, std::vector<ContactLine>& lines) {
   const double reach = 0.5 * gripper.pad.maxCoeff();
   const std::vector<double> angles = cross_angles(view_Q, up_Q);
   for (const double z : heights(body, gripper)) {
     const double s = body.scale(z);
+    const double low = std::max(z - reach, body.z_min), high = std::min(z + reach, body.z_max);
     // The profile is convex or concave, so it is widest at an end of the pad or where its slope is
     // zero.
-    const double widest = std::max({s, body.scale(std::max(z - reach, body.z_min)),
-                                    body.scale(std::min(z + reach, body.z_max))});
+    const double widest = std::max({s, body.scale(low), body.scale(high)});
+    const double met = meeting_height(body, z, low, high);
     for (const double angle : angles) {
       const Eigen::Vector3d d(std::cos(angle), std::sin(angle), 0.0);
       const Eigen::Vector3d squared(body.a * body.a, body.b * body.b, 0.0);
       const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));  // half the width at s = 1
       const Eigen::Vector3d p = squared.cwiseProduct(d) * (s / h);
-      const Eigen::Vector3d rise(0.0, 0.0, -h * body.slope(z));
-      lines.push_back(placed(
-          body, {{0, 0, z}, p, d, d + rise, -d + rise, 2.0 * h * widest, body.width_std(d, z)}));
+      const Eigen::Vector3d rise(0.0, 0.0, -h * body.slope(met));
+      lines.push_back(placed(body, {{0, 0, z},
+                                    p,
+                                    d,
+                                    d + rise,
+                                    -d + rise,
+                                    2.0 * h * widest,
+                                    body.width_std(d, z),
+                                    body.lean_std(met)}));
     }
   }
 }
@@ -96,7 +112,8 @@ void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
   for (const double x : {0.0, -0.5, 0.5}) {
     for (const double y : {0.0, -0.5, 0.5}) {
       lines.push_back(placed(
-          body, {{x * body.a, y * body.b, middle}, half * up, up, up, -up, 0.0, body.end_std}));
+          body,
+          {{x * body.a, y * body.b, middle}, half * up, up, up, -up, 0.0, body.end_std, 0.0}));
     }
   }
 }
@@ -128,7 +145,7 @@ void add_ellipsoid(const Body& body, const Gripper& gripper, const Eigen::Vector
     const Eigen::Vector3d p = squared.cwiseProduct(d) / h;
     if ((p - h * d).norm() > kMaxOffPad * gripper.pad.minCoeff()) continue;
     lines.push_back(
-        placed(body, {Eigen::Vector3d::Zero(), p, d, d, -d, 2.0 * h, body.width_std(d, 0.0)}));
+        placed(body, {Eigen::Vector3d::Zero(), p, d, d, -d, 2.0 * h, body.width_std(d, 0.0), 0.0}));
   }
 }
 
@@ -155,7 +172,8 @@ std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
     return 2.0 * q.M.cwiseProduct(x) + q.g;
   };
   return placed(body, {0.5 * (low + high), 0.5 * (high - low), d, normal(high), normal(low), 0.0,
-                       body.width_std(d, 0.5 * (low.z() + high.z()))});
+                       body.width_std(d, 0.5 * (low.z() + high.z())),
+                       std::max(body.lean_std(low.z()), body.lean_std(high.z()))});
 }
 
 std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,

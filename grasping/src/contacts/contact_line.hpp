@@ -26,6 +26,8 @@ struct ContactLine {
   double opening = 0.0;
   /// Standard deviation of half the width [m].
   double std = 0.0;
+  /// Standard deviation of the angles between the line and the normals [rad].
+  double lean_std = 0.0;
 };
 
 /// Returns contact lines all over a body: across the axis at many heights, end-on for cylinders and

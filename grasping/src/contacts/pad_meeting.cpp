@@ -210,12 +210,14 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
     line.contacts_C[i] = c->contacts_C[i];
     line.normals_C[i] = c->normals_C[i];
     line.std = std::max(line.std, c->std);
+    line.lean_std = std::max(line.lean_std, c->lean_std);
   }
   if (on_edge(line)) return std::nullopt;
   line.closing_C = y_C_;
   line.width = line.opening = out[0] + out[1];
   line.centre_C = p_C + 0.5 * (out[0] - out[1]) * y_C_;
-  meeting.friction = std::max({lean(0, out[0], p_Q), lean(1, out[1], p_Q), friction_needed(line)});
+  const double lean_most = std::max(lean(0, out[0], p_Q), lean(1, out[1], p_Q));
+  meeting.friction = std::max(doubted_friction(lean_most, line.lean_std), friction_needed(line));
   if (meeting.friction > max_friction) return std::nullopt;
   return meeting;
 }

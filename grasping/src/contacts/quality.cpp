@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace quadrille {
 
@@ -14,7 +15,13 @@ double friction_needed(const ContactLine& line) {
     if (c <= 0.0) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, line.normals_C[i].cross(along).norm() / c);
   }
-  return worst;
+  return doubted_friction(worst, line.lean_std);
+}
+
+double doubted_friction(double friction, double lean_std) {
+  if (lean_std == 0.0) return friction;
+  const double angle = std::atan(friction) + lean_std;
+  return angle < 0.5 * std::numbers::pi ? std::tan(angle) : std::numeric_limits<double>::infinity();
 }
 
 double grasp_epsilon(const ContactLine& line, const ContactModel& model) {

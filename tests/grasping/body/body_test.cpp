@@ -38,6 +38,33 @@ TEST_CASE("the slope of a profile is the derivative of its scale", "[body]") {
   }
 }
 
+TEST_CASE("a surface leans as uncertainly as its semi-axes are known", "[body]") {
+  const auto lean = [](const Body& body, double z) { return std::atan(body.a * body.slope(z)); };
+  for (const Detection& d : solid_detections()) {
+    Body body = make_body(d).value();
+    body.std = Eigen::Vector3d::Zero();
+    for (const double u : {0.2, 0.5, 0.8}) {
+      const double z = body.z_min + u * (body.z_max - body.z_min), h = 1e-6;
+      CAPTURE(to_string(d.type), u);
+      CHECK(body.lean_std(z) == 0.0);
+      const bool rounded = body.profile == Body::Profile::kEllipse;
+      if (rounded || body.a != body.b || body.profile == Body::Profile::kBox) continue;
+      // Each deviation alone moves the angle as much as the difference of two bodies.
+      Body other = body, doubted = body;
+      other.a += h * body.a;
+      doubted.std = {h * body.a, h * body.b, 0.0};
+      CHECK(doubted.lean_std(z) ==
+            Approx(std::abs(lean(other, z) - lean(body, z))).epsilon(1e-3).margin(1e-12));
+      if (body.c == 0.0) continue;
+      other = doubted = body;
+      other.c += h * body.c;
+      doubted.std = {0.0, 0.0, h * body.c};
+      CHECK(doubted.lean_std(z) ==
+            Approx(std::abs(lean(other, z) - lean(body, z))).epsilon(1e-3).margin(1e-12));
+    }
+  }
+}
+
 TEST_CASE("only types that enclose something become bodies", "[body]") {
   std::mt19937 random(52);
   for (const QuadricType type :

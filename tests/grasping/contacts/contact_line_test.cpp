@@ -1,5 +1,8 @@
 #include "contacts/contact_line.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "contacts/quality.hpp"
 #include "grasping/scenes.hpp"
 #include "support/catch.hpp"
@@ -70,6 +73,30 @@ TEST_CASE("a cone needs the friction of its half angle, a waist none", "[contact
       }
     }
   }
+}
+
+TEST_CASE("pads beside a waist meet it at their wide ends", "[contacts]") {
+  const auto all = solid_detections();
+  const auto d = std::find_if(all.begin(), all.end(), [](const Detection& one) {
+    return one.type == QuadricType::kHyperboloidOneSheet;
+  });
+  Body body = make_body(*d).value();
+  body.z_max = std::max(body.z_max, 0.06);
+  const double reach = 0.5 * franka_hand().pad.maxCoeff();
+  int beside = 0;
+  for (const ContactLine& line : contact_lines(body, franka_hand(), {0, 0, -1})) {
+    const Eigen::Vector3d p_Q = body.X_CQ.inverse() * line.centre_C;
+    const double z = p_Q.z();
+    const Eigen::Vector3d closing_Q = body.X_CQ.linear().transpose() * line.closing_C;
+    if (z <= reach || std::abs(closing_Q.x()) < 1 - 1e-9) continue;
+    ++beside;
+    const double end = std::min(z + reach, body.z_max);
+    // r² = a²(1 + z²/c²), so that r' = a²z/(c²r).
+    const double r = body.a * std::sqrt(1.0 + end * end / (body.c * body.c));
+    CHECK(friction_needed(line) ==
+          Approx(body.a * body.a * end / (body.c * body.c * r)).epsilon(1e-6));
+  }
+  CHECK(beside > 0);
 }
 
 TEST_CASE("a chord beside the widest part is narrower and needs friction", "[contacts]") {
