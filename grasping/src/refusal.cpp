@@ -1,5 +1,7 @@
 #include "quadrille/grasping/refusal.hpp"
 
+#include <algorithm>
+
 namespace quadrille {
 
 std::string_view to_string(Refusal refusal) {
@@ -53,6 +55,13 @@ std::string_view to_string(Refusal refusal) {
 std::optional<Refusal> furthest(const RefusalCounts& refusals) {
   if (refusals.empty()) return std::nullopt;
   return refusals.rbegin()->first;
+}
+
+std::optional<Refusal> commonest(const RefusalCounts& refusals) {
+  if (refusals.empty()) return std::nullopt;
+  return std::max_element(refusals.rbegin(), refusals.rend(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
 }  // namespace quadrille

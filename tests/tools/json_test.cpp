@@ -156,13 +156,16 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   CHECK(json["grasps"][0]["contacts"] == io::Json({{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}));
   CHECK(json["grasps"][0]["unknown_contact"].is_boolean());
   CHECK(json["rejected"] == io::Json({{"collision", 5}, {"width", 2}}));
-  CHECK(
-      json["targets"][0] ==
-      io::Json({{"target", 3}, {"grasps", 1}, {"rejected", io::Json::object()}, {"furthest", {}}}));
+  CHECK(json["targets"][0] == io::Json({{"target", 3},
+                                        {"grasps", 1},
+                                        {"rejected", io::Json::object()},
+                                        {"furthest", {}},
+                                        {"commonest", {}}}));
   CHECK(json["targets"][1] == io::Json({{"target", 4},
                                         {"grasps", 0},
                                         {"rejected", {{"width", 2}, {"collision", 5}}},
-                                        {"furthest", "collision"}}));
+                                        {"furthest", "collision"},
+                                        {"commonest", "collision"}}));
   CHECK(json["shapes"][0]["kind"] == "cylinder");
   CHECK(io::to_json({Remedy{4, "--gripper wsg50", 3, 0.75}}) ==
         io::Json::array(

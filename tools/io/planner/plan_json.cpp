@@ -62,6 +62,8 @@ Json to_json(const TargetOutcome& outcome) {
   Json json = {{"target", outcome.target}, {"grasps", outcome.grasps}, {"rejected", rejected}};
   const std::optional<Refusal> why = furthest(outcome.refusals);
   json["furthest"] = why ? Json(to_string(*why)) : Json(nullptr);
+  const std::optional<Refusal> most = commonest(outcome.refusals);
+  json["commonest"] = most ? Json(to_string(*most)) : Json(nullptr);
   return json;
 }
 

@@ -44,4 +44,9 @@ using RefusalCounts = std::map<Refusal, int>;
 /// This reason decides, even if another one refused more.
 QUADRILLE_EXPORT std::optional<Refusal> furthest(const RefusalCounts& refusals);
 
+/// Returns the reason that refused most, of equals the later check; nullopt if nothing was refused.
+/// It tells what the object is like for the hand, where the furthest may be true of a few
+/// candidates only.
+QUADRILLE_EXPORT std::optional<Refusal> commonest(const RefusalCounts& refusals);
+
 }  // namespace quadrille
