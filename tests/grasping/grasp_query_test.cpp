@@ -183,6 +183,53 @@ TEST_CASE("a query that nothing meets is told why", "[query]") {
   CHECK(with_large.plan(query).warnings.at(0) == "target 9 cannot be held: width");
 }
 
+TEST_CASE("all parts of a body are one target, unless a query names a part", "[query][bodies]") {
+  SceneBody stack;
+  stack.id = 1;
+  stack.kind = BodyKind::kRevolution;
+  stack.parts = {1, 2};
+  stack.track = 50;
+  const GraspScene apart(scene().cloud, scene().detections, franka_hand());
+  const GraspScene made(scene().cloud, scene().detections, franka_hand(), {}, {}, {}, {stack});
+  const auto outcome_of = [](const GraspPlan& plan, int id) {
+    const auto found = std::find_if(plan.targets.begin(), plan.targets.end(),
+                                    [&](const TargetOutcome& o) { return o.target == id; });
+    REQUIRE(found != plan.targets.end());
+    return *found;
+  };
+  const GraspPlan two = apart.plan(), one = made.plan();
+  CHECK(targets_of(one) == std::set{1, 3, 4});
+  CHECK(one.targets.size() + 1 == two.targets.size());
+  // The can and the ball are far from each other, so that none of their grasps are alike.
+  const TargetOutcome can = outcome_of(two, 1), ball = outcome_of(two, 2);
+  CHECK(outcome_of(one, 1).grasps == can.grasps + ball.grasps);
+  for (const auto& [why, count] : outcome_of(one, 1).refusals) {
+    const auto in = [&](const TargetOutcome& o) {
+      const auto found = o.refusals.find(why);
+      return found == o.refusals.end() ? 0 : found->second;
+    };
+    CHECK(count == in(can) + in(ball));
+  }
+  for (const Grasp& grasp : one.grasps) CHECK(grasp.track == 30 + grasp.target);
+  GraspQuery query;
+  query.ids = {2};
+  CHECK(targets_of(made.plan(query)) == std::set{2});
+  query = {};
+  query.tracks = {32};
+  CHECK(targets_of(made.plan(query)) == std::set{2});
+  query.tracks = {31};
+  CHECK(outcome_of(made.plan(query), 1).grasps == outcome_of(one, 1).grasps);
+  // Whoever asks for what is nearest to a part gets the whole body.
+  query = {};
+  query.near_C = scene().X_CW * Eigen::Vector3d(0.0, 0.0, 0.02);
+  CHECK(outcome_of(made.plan(query), 1).grasps == outcome_of(one, 1).grasps);
+  query = {};
+  query.per_target = 2;
+  const GraspPlan few = made.plan(query);
+  CHECK(std::count_if(few.grasps.begin(), few.grasps.end(),
+                      [](const Grasp& grasp) { return grasp.target == 1; }) == 2);
+}
+
 TEST_CASE("the track of a body asks for all that is part of it", "[query][bodies]") {
   SceneBody stack, ball, lump;
   stack.id = 1;
@@ -201,7 +248,7 @@ TEST_CASE("the track of a body asks for all that is part of it", "[query][bodies
                         {stack, ball, lump});
   GraspQuery query;
   query.tracks = {50};
-  CHECK(targets_of(made.plan(query)) == std::set{1, 2});
+  CHECK(targets_of(made.plan(query)) == std::set{1});
   query.tracks = {51, 31};
   const GraspPlan both = made.plan(query);
   CHECK(targets_of(both) == std::set{1, 3});

@@ -12,9 +12,11 @@
 
 #include "hand/reachable_places.hpp"
 #include "quadrille/detector/parallel_for.hpp"
+#include "scene/kept_grasps.hpp"
+#include "scene/outcome.hpp"
 #include "targets/asked_for.hpp"
-#include "targets/spread.hpp"
 #include "targets/target_grasps.hpp"
+#include "targets/target_name.hpp"
 #include "targets/target_order.hpp"
 #include "targets/target_scene.hpp"
 #include "targets/terms.hpp"
@@ -24,36 +26,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A grasp, and after how many others of its target it is kept if there are too many.
-struct Kept {
-  Grasp grasp;
-  std::size_t rank = 0;
-};
-
 /// The box around a shape along the axes of the frame that its pose is in.
 Eigen::AlignedBox3d bounds_of(const CollisionShape& shape) {
   const auto& box = shape.geometry->aabb_local;
   return Eigen::AlignedBox3d(box.min_, box.max_).transformed(shape.X_CS);
 }
 
-/// The grasps that were found on one target, and the candidates that were refused.
-struct Outcome {
-  std::vector<Grasp> grasps;
-  RefusalCounts refusals;
-  /// Number of candidates that were too unlikely to succeed to be tried.
-  int unlikely = 0;
-};
-
-/// Returns true if a check of what is in the hand's way, or one after it, refused a candidate.
-bool was_obstructed(const RefusalCounts& refusals) {
-  return refusals.lower_bound(Refusal::kSupport) != refusals.end();
-}
-
 /// Answers one query.
 class QueryPlanner {
  public:
   QueryPlanner(const SceneParts& parts, const GraspQuery& query, const Deadline& deadline)
-      : parts_(parts), query_(completed(query, parts.options)), deadline_(deadline) {
+      : parts_(parts),
+        query_(completed(query, parts.options)),
+        deadline_(deadline),
+        kept_(*query_.per_target) {
     for (const CollisionShape& shape : query_.attached) attached_G_.push_back(bounds_of(shape));
   }
 
@@ -74,7 +60,7 @@ class QueryPlanner {
     add_refused();
     plan_targets(asked);
     warn_of_cut();
-    select();
+    plan_.grasps = std::move(kept_).best(*query_.max_grasps, &plan_.warnings);
     for (const auto& [why, count] : refusals_) {
       if (count > 0) plan_.rejected.emplace(to_string(why), count);
     }
@@ -97,39 +83,68 @@ class QueryPlanner {
     if (asked.empty() && !explained) warnings.push_back(why_none(query_, parts_.targets));
   }
 
-  /// Adds the outcome for detections and boxes that were refused as targets, unless a body of
-  /// unknown shape with the same number is one.
+  bool is_named(int id) const {
+    return std::find(query_.ids.begin(), query_.ids.end(), id) != query_.ids.end();
+  }
+
+  /// The id under which the plan tells of a detection or box that was refused as a target.
+  int name_of_refused(int id) const {
+    const auto body = parts_.body_of.find(id);
+    return is_named(id) || body == parts_.body_of.end() ? id : body->second;
+  }
+
+  /// Adds the outcomes for detections and boxes that were refused as targets, one for each body,
+  /// unless the body or another part of it is a target.
   void add_refused() {
     for (const auto& [id, why] : parts_.refused) {
-      if (is_target(id)) continue;
-      const std::vector<int>& ids = query_.ids;
-      const bool named = std::find(ids.begin(), ids.end(), id) != ids.end();
-      if (query_.selects() && !named && !(ids.empty() && why == Refusal::kDeadline)) continue;
+      const int name = name_of_refused(id);
+      if (is_target(name)) continue;
+      const bool cut = query_.ids.empty() && why == Refusal::kDeadline;
+      if (query_.selects() && !is_named(name) && !cut) continue;
       // A selected object may be among those for which there was no time.
       if (query_.selects() && why == Refusal::kDeadline) ++refusals_[why];
-      plan_.targets.push_back({id, 0, {{why, 1}}});
+      const auto same = std::find_if(plan_.targets.begin(), plan_.targets.end(),
+                                     [&](const TargetOutcome& o) { return o.target == name; });
+      TargetOutcome& outcome = same == plan_.targets.end()
+                                   ? plan_.targets.emplace_back(TargetOutcome{name, 0, {}})
+                                   : *same;
+      ++outcome.refusals[why];
     }
   }
 
   bool is_target(int id) const {
     return std::any_of(parts_.targets.begin(), parts_.targets.end(),
-                       [&](const Target& target) { return target.id == id; });
+                       [&](const Target& target) { return name_of(target, query_).id == id; });
   }
 
-  /// Plans the targets side by side, and adds what was found in their order.
+  /// Plans the targets side by side, and adds what was found on each body in the order of the
+  /// bodies' first parts.
   void plan_targets(const std::vector<const Target*>& asked) {
-    if (query_.accept) {
-      // The caller's own condition may not be safe for several threads, and may throw.
-      for (const Target* target : asked) add(*target, search(*target));
-      return;
-    }
     const int count = static_cast<int>(asked.size());
     std::vector<Outcome> outcomes(asked.size());
     const std::vector<int> order =
         deadline_.is_set() ? as_given(asked.size()) : costliest_first(asked, parts_);
-    parallel_for(count, parts_.options.threads,
-                 [&](int k) { outcomes[order[k]] = search(*asked[order[k]]); });
-    for (int k = 0; k < count; ++k) add(*asked[k], std::move(outcomes[k]));
+    if (query_.accept) {
+      // The caller's own condition may not be safe for several threads, and may throw.
+      for (int k = 0; k < count; ++k) outcomes[k] = search(*asked[k]);
+    } else {
+      parallel_for(count, parts_.options.threads,
+                   [&](int k) { outcomes[order[k]] = search(*asked[order[k]]); });
+    }
+    std::vector<char> added(asked.size(), 0);
+    for (int first = 0; first < count; ++first) {
+      if (added[first] != 0) continue;
+      const int id = name_of(*asked[first], query_).id;
+      std::vector<const Target*> targets;
+      std::vector<Outcome> parts;
+      for (int k = first; k < count; ++k) {
+        if (name_of(*asked[k], query_).id != id) continue;
+        added[k] = 1;
+        targets.push_back(asked[k]);
+        parts.push_back(std::move(outcomes[k]));
+      }
+      add(id, targets, joined(std::move(parts)));
+    }
   }
 
   Outcome search(const Target& target) const {
@@ -140,29 +155,30 @@ class QueryPlanner {
       ++found.refusals[Refusal::kReach];
       return found;
     }
-    const bool cut = deadline_.passed() || try_holds(target, found);
-    // What stood in the way of likely grasps tells more than that others were unlikely, so that
-    // these count only if nothing did.
-    if (found.unlikely > 0 && found.grasps.empty() && !was_obstructed(found.refusals)) {
-      found.refusals[Refusal::kScore] += found.unlikely;
-    }
-    if (cut) ++found.refusals[Refusal::kDeadline];
+    found.cut = deadline_.passed() || try_holds(target, found);
     return found;
   }
 
-  void add(const Target& target, Outcome found) {
-    keep(found.grasps, target);
-    for (const auto& [why, number] : found.refusals) refusals_[why] += number;
-    RefusalCounts refusals = std::move(found.refusals);
-    if (target.unmeasured > 0) refusals[Refusal::kUnmeasured] += target.unmeasured;
-    // A detection that the hand cannot hold by its shape was refused as a target. Its points were
-    // tried all the same, so this refusal belongs to the same outcome.
-    if (const auto refused = parts_.refused.find(target.id); refused != parts_.refused.end()) {
-      ++refusals[refused->second];
+  /// Adds what was found on a body.
+  /// @param id  under which the plan tells of it
+  /// @param targets  the body's parts that were asked for
+  void add(int id, const std::vector<const Target*>& targets, const Outcome& found) {
+    double reach = 0.0;
+    for (const Target* target : targets) {
+      reach = std::max(reach, 0.5 * target->body.bounds_Q().sizes().maxCoeff());
+    }
+    kept_.add(found.grasps, reach);
+    RefusalCounts refusals = told_refusals(found);
+    for (const auto& [why, number] : refusals) refusals_[why] += number;
+    for (const Target* target : targets) refusals[Refusal::kUnmeasured] += target->unmeasured;
+    // A detection that the hand cannot hold by its shape was refused as a target. Its points, or
+    // other parts of its body, were tried all the same, so this refusal belongs to the same
+    // outcome.
+    for (const auto& [refused, why] : parts_.refused) {
+      if (name_of_refused(refused) == id) ++refusals[why];
     }
     std::erase_if(refusals, [](const auto& refusal) { return refusal.second == 0; });
-    plan_.targets.push_back(
-        {target.id, static_cast<int>(found.grasps.size()), std::move(refusals)});
+    plan_.targets.push_back({id, static_cast<int>(found.grasps.size()), std::move(refusals)});
   }
 
   /// Tries holds by the tips, and then by the points, only if the target is not held in another way
@@ -220,21 +236,6 @@ class QueryPlanner {
     return scene;
   }
 
-  /// Keeps the grasps of a target, or as many of them as are asked for.
-  void keep(const std::vector<Grasp>& grasps, const Target& target) {
-    const std::size_t count = *query_.per_target;
-    if (count > 0) {
-      const double reach = 0.5 * target.body.bounds_Q().sizes().maxCoeff();
-      std::size_t rank = 0;
-      for (Grasp& pick : spread(grasps, count, reach)) kept_.push_back({std::move(pick), rank++});
-      return;
-    }
-    const auto best = std::max_element(grasps.begin(), grasps.end(), has_less_score);
-    for (auto grasp = grasps.begin(); grasp != grasps.end(); ++grasp) {
-      kept_.push_back({*grasp, grasp == best ? 0u : 1u});
-    }
-  }
-
   void warn_of_cut() {
     const int targets = refusals_[Refusal::kDeadline];
     plan_.cut = targets > 0;
@@ -244,35 +245,12 @@ class QueryPlanner {
                              "; raise planner.deadline_ms (--deadline-ms)");
   }
 
-  /// Sorts the grasps, best first, and drops the surplus; each target keeps its best grasp before
-  /// any target keeps a second one. If a number of each target is asked for, each keeps its second
-  /// before any keeps a third, and so on.
-  void select() {
-    const auto better = [](const Kept& a, const Kept& b) { return a.grasp.score > b.grasp.score; };
-    const auto earlier = [](const Kept& a, const Kept& b) { return a.rank < b.rank; };
-    std::stable_sort(kept_.begin(), kept_.end(), better);
-    const std::size_t found = kept_.size(), most = *query_.max_grasps;
-    if (found > most) {
-      std::stable_sort(kept_.begin(), kept_.end(), earlier);
-      kept_.resize(most);
-      std::stable_sort(kept_.begin(), kept_.end(), better);
-      if (*query_.per_target > 0) {
-        plan_.warnings.push_back("of " + std::to_string(found) + " grasps only " +
-                                 std::to_string(most) +
-                                 " are given; raise planner.max_grasps (--best)");
-      }
-    }
-    for (Kept& kept : kept_) plan_.grasps.push_back(std::move(kept.grasp));
-  }
-
-  static bool has_less_score(const Grasp& a, const Grasp& b) { return a.score < b.score; }
-
   const SceneParts& parts_;
   const GraspQuery query_;
   const Deadline& deadline_;
   /// Boxes around what is fixed to the hand, in its frame G [m].
   std::vector<Eigen::AlignedBox3d> attached_G_;
-  std::vector<Kept> kept_;
+  KeptGrasps kept_;
   GraspPlan plan_;
   RefusalCounts refusals_;
 };

@@ -65,7 +65,10 @@ void choose_scene_targets(const ViewClouds& views, const std::vector<Detection>&
   std::vector<Target> unshaped =
       choose_unshaped(bodies, parts->targets, detections, parts->options);
   std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts->targets));
-  add_body_tracks(bodies, &parts->targets);
+  add_bodies(bodies, detections, &parts->targets);
+  for (const SceneBody& body : bodies) {
+    for (const int part : body.parts) parts->body_of.emplace(part, body.id);
+  }
   for (Target& target : parts->targets) {
     target.view = best_view(target, views, cloud);
     if (!known.support) continue;

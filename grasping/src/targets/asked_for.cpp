@@ -4,6 +4,8 @@
 #include <set>
 #include <sstream>
 
+#include "targets/target_name.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -16,7 +18,15 @@ bool lies_in(const Region& region, const Eigen::Vector3d& p_C) {
   return region.box_R.contains(region.X_CR.inverse() * p_C);
 }
 
-double size_of(const Target& target) { return target.body.bounds_Q().sizes().maxCoeff(); }
+/// Returns the longest side of a target [m]. A vessel of which the inner side was seen is larger by
+/// its wall, of which one view shows no more than the bounds.
+double size_of(const Target& target) {
+  Eigen::Vector3d sizes = target.body.bounds_Q().sizes();
+  if (target.shell && target.shell->seen_inside) {
+    sizes.head<2>().array() += target.shell->wall.min + target.shell->wall.max;
+  }
+  return sizes.maxCoeff();
+}
 
 /// Returns the distance from the body's bounds. It is negative if the body contains the point, and
 /// the more so the nearer the body's centre is.
@@ -34,9 +44,15 @@ std::string list_ids(const std::vector<const Target*>& targets) {
   return text.str();
 }
 
+/// Returns true if one of the ids is that of the target or of its body, or if any may be.
+bool has_asked_id(const GraspQuery& query, const Target& target) {
+  return allows(query.ids, target.id) || allows(query.ids, target.body_id);
+}
+
 /// Returns true if one of the tracks is that of the target or of its body, or if any may be.
 bool has_asked_track(const GraspQuery& query, const Target& target) {
-  return allows(query.tracks, target.track) || allows(query.tracks, target.body_track);
+  return allows(query.tracks, target.track) || allows(query.tracks, target.body_track) ||
+         allows(query.tracks, target.main_track);
 }
 
 /// Lists the tracks of the targets that have one and of their bodies, each once.
@@ -63,7 +79,7 @@ struct Condition {
 };
 
 const Condition kConditions[] = {
-    {"of that id", [](const GraspQuery& q, const Target& t) { return allows(q.ids, t.id); }},
+    {"of that id", has_asked_id},
     {"of that track", has_asked_track, list_tracks},
     {"of that type", [](const GraspQuery& q, const Target& t) { return allows(q.types, t.type); }},
     {"in that region",
@@ -89,17 +105,22 @@ std::vector<const Target*> asked_for(const GraspQuery& query, const std::vector<
     if (target.wanted && holds_all(query, target)) asked.push_back(&target);
   }
   if (!query.near_C || asked.empty()) return asked;
-  return {*std::min_element(asked.begin(), asked.end(), [&](const Target* a, const Target* b) {
-    return distance(*a, *query.near_C) < distance(*b, *query.near_C);
-  })};
+  const Target* const nearest =
+      *std::min_element(asked.begin(), asked.end(), [&](const Target* a, const Target* b) {
+        return distance(*a, *query.near_C) < distance(*b, *query.near_C);
+      });
+  const int id = name_of(*nearest, query).id;
+  std::erase_if(asked, [&](const Target* target) { return name_of(*target, query).id != id; });
+  return asked;
 }
 
 std::vector<std::string> missed_ids(const GraspQuery& query, const std::vector<Target>& targets,
                                     const std::map<int, std::string>& why_none) {
   std::vector<std::string> sentences;
   for (const int id : query.ids) {
-    const bool is_target = std::any_of(targets.begin(), targets.end(),
-                                       [&](const Target& t) { return t.id == id && t.wanted; });
+    const bool is_target = std::any_of(targets.begin(), targets.end(), [&](const Target& t) {
+      return t.wanted && (t.id == id || t.body_id == id);
+    });
     if (is_target) continue;
     const auto known = why_none.find(id);
     sentences.push_back("target " + std::to_string(id) + " " +

@@ -7,6 +7,7 @@
 #include "contacts/quality.hpp"
 #include "contacts/success.hpp"
 #include "hand/hand.hpp"
+#include "targets/target_name.hpp"
 #include "targets/terms.hpp"
 
 namespace quadrille {
@@ -63,8 +64,9 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   const Target& target = task.target;
   const double reach = 0.5 * target.body.bounds_Q().sizes().maxCoeff();
   Grasp grasp;
-  grasp.target = target.id;
-  grasp.track = target.track;
+  const TargetName name = name_of(target, task.query);
+  grasp.target = name.id;
+  grasp.track = name.track;
   grasp.kind = attempt.kind;
   grasp.X_CG = attempt.X_CG;
   grasp.width = line.width;

@@ -4,21 +4,18 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <vector>
 
 #include "contacts/closing.hpp"
 #include "hand/hand.hpp"
 #include "hand/reachable_places.hpp"
 #include "targets/describe.hpp"
+#include "targets/resemblance.hpp"
 #include "targets/terms.hpp"
 
 namespace quadrille {
 namespace {
 
-// A grasp adds nothing to another one that is nearer than this [m] and turned by less than 20°.
-constexpr double kMinDistance = 0.012;
-const double kMaxTurnCosine = std::cos(20.0 * std::numbers::pi / 180.0);
 // Number of standard deviations in the distance that a pad keeps from the target; it covers 95 % of
 // cases.
 constexpr double kSigmas = 2.0;
@@ -35,21 +32,6 @@ constexpr std::array kRooms = {20, 7, 0};
 // deeper than a share of the width.
 constexpr double kFreeDepths[] = {-0.5, 0.5, 1.5};
 constexpr double kMaxDepthShare = 0.4;
-
-Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 2>& contacts_C) {
-  return 0.5 * (contacts_C[0] + contacts_C[1]);
-}
-
-/// Returns true if a hold adds nothing to one of these grasps.
-bool resembles_one_of(const std::vector<Grasp>& grasps, const ContactLine& line,
-                      const Eigen::Vector3d& approach_C) {
-  const Eigen::Vector3d here = middle(line.contacts_C);
-  return std::any_of(grasps.begin(), grasps.end(), [&](const Grasp& other) {
-    return (middle(other.contacts_C) - here).norm() < kMinDistance &&
-           other.X_CG.linear().col(2).dot(approach_C) > kMaxTurnCosine &&
-           std::abs(other.X_CG.linear().col(1).dot(line.closing_C)) > kMaxTurnCosine;
-  });
-}
 
 Refusal refusal_of(Obstruction what) {
   switch (what) {

@@ -71,6 +71,8 @@ struct SceneParts {
   std::map<int, std::string> why_none;
   /// The detections and boxes among these that are to be grasped but were refused, by id.
   std::map<int, Refusal> refused;
+  /// Ids of the bodies of which detections are parts, by the ids of the detections.
+  std::map<int, int> body_of;
   RefusalCounts refusals;
   /// Null if there was no time to map it.
   std::shared_ptr<const OccupancyGrid> space;

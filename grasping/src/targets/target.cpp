@@ -179,12 +179,19 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
   return unshaped;
 }
 
-void add_body_tracks(const std::vector<SceneBody>& bodies, std::vector<Target>* targets) {
+void add_bodies(const std::vector<SceneBody>& bodies, const std::vector<Detection>& detections,
+                std::vector<Target>* targets) {
   for (Target& target : *targets) {
+    target.body_id = target.id;
     for (const SceneBody& body : bodies) {
-      if (is_of(target, body)) target.body_track = body.track;
+      if (!is_of(target, body)) continue;
+      target.body_id = body.id;
+      target.body_track = body.track;
     }
     if (target.track == 0) target.track = target.body_track;
+    const auto main = std::find_if(detections.begin(), detections.end(),
+                                   [&](const Detection& d) { return d.id == target.body_id; });
+    target.main_track = main == detections.end() ? target.body_track : main->track;
   }
 }
 

@@ -33,8 +33,11 @@ struct Target {
   QuadricType type = QuadricType::kPlane;
   /// Track of the detection, or of the body if the target is no detection; 0 if it has none.
   int track = 0;
-  /// Track of the body that the target is or is a part of; 0 if it has none.
-  int body_track = 0;
+  /// Id of the body that the target is or is a part of; its own if there is none.
+  int body_id = 0;
+  /// Track of that body, and of what has the id of the body, which may be its main part; 0 if it
+  /// has none.
+  int body_track = 0, main_track = 0;
   double confidence = 1.0;
   Body body;
   /// Standard deviation of the points about the surface [m].
@@ -90,8 +93,9 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
                                     const std::vector<Detection>& detections,
                                     const PlanOptions& options);
 
-/// Gives targets the tracks of their bodies.
-void add_body_tracks(const std::vector<SceneBody>& bodies, std::vector<Target>* targets);
+/// Tells targets of which bodies they are parts.
+void add_bodies(const std::vector<SceneBody>& bodies, const std::vector<Detection>& detections,
+                std::vector<Target>* targets);
 
 /// Returns how far the hand reaches from a target's surface, including its approach [m].
 double hand_reach(const Gripper& gripper, double approach);

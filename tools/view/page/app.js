@@ -1,6 +1,7 @@
 // Connects the data from the server with the controls of the user.
 import { isPlane } from "./colours.js";
 import { byId } from "./dom.js";
+import { graspsOf } from "./grasps_of.js";
 import { Labels } from "./labels.js";
 import { readLink, writeLink } from "./link.js";
 import { fillDetail, fillHealth, fillList, fillSource, fillSwitches } from "./panel.js";
@@ -183,7 +184,7 @@ function nextObject() {
 }
 
 function nextGrasp() {
-  const count = scene.grasps.filter((grasp) => view.chosen === null || grasp.target === view.chosen).length;
+  const count = graspsOf(scene, view.chosen).length;
   if (count) chooseGrasp((view.grasp + 1) % count);
 }
 

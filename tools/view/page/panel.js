@@ -1,6 +1,7 @@
 // The panel: the switches, the list of objects, and the grasps and refusals of a chosen object.
 import { isPlane, objectColour, scoreColour } from "./colours.js";
 import { byId, element, words } from "./dom.js";
+import { graspsOf } from "./grasps_of.js";
 import { kColours, kLayers } from "./link.js";
 import { isUnseen, lastSeen, viewsOf } from "./sighting.js";
 
@@ -55,7 +56,7 @@ function countOf(scene, object, count) {
 export function fillList(scene, view, choose) {
   const rows = [[], []];
   for (const object of scene.objects) {
-    const count = scene.grasps.filter((grasp) => grasp.target === object.id).length;
+    const count = graspsOf(scene, object.id).length;
     const dot = element("span", { class: "dot" });
     dot.style.background = objectColour(object);
     const facts = object.lines.slice(0, 2).concat(isUnseen(object) ? `seen ${lastSeen(object)}` : []);
@@ -80,7 +81,7 @@ export function fillList(scene, view, choose) {
 /// grasps of it.
 export function fillDetail(scene, view, chooseGrasp, askParts) {
   const object = scene.objects.find((candidate) => candidate.id === view.chosen);
-  const grasps = object ? scene.grasps.filter((grasp) => grasp.target === object.id) : scene.grasps;
+  const grasps = graspsOf(scene, object ? object.id : null);
   const parts = object ? factsOf(object) : looksOf(scene);
   if (!object || !isPlane(object)) {
     parts.push(element("h2", { text: object ? `Grasps of ${object.id} (${grasps.length})` : `All grasps (${grasps.length})` }));
@@ -96,6 +97,7 @@ export function fillDetail(scene, view, chooseGrasp, askParts) {
 
 function factsOf(object) {
   const facts = object.score === undefined ? [] : [["certain", `${(100 * object.score).toFixed(0)} %`]];
+  if (object.part_of !== undefined) facts.push(["part of", object.part_of]);
   if (object.track) facts.push(["track", object.track]);
   for (const line of object.lines) {
     const [, name, value] = line.match(/^(\D*?) (\S*\d.*)$/) || ["", line, ""];

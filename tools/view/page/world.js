@@ -2,8 +2,9 @@
 // pointer.
 /* global THREE */
 import { isPlane, objectColour, scoreColour } from "./colours.js";
-import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
 import { byId } from "./dom.js";
+import { graspsOf } from "./grasps_of.js";
+import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
 import { coloursOf } from "./paint.js";
 import { cornersOf, isBox, meshGeometry, voxelMesh } from "./shapes.js";
 import { isUnseen, kPale } from "./sighting.js";
@@ -192,8 +193,8 @@ export class World {
   }
 
   putGrasps(view) {
-    const { grasps, gripper } = this.data;
-    const shown = view.chosen === null ? grasps : grasps.filter((grasp) => grasp.target === view.chosen);
+    const { gripper } = this.data;
+    const shown = graspsOf(this.data, view.chosen);
     this.put("marks", view.layers.candidates ? this.marks(shown) : null);
     const grasp = shown[Math.min(view.grasp, shown.length - 1)];
     const hand = new THREE.Group();

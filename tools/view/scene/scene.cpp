@@ -137,6 +137,8 @@ void add_common(const Scene& scene, int id, Json* object) {
     (*object)["rejected"] = refusals_of(found->second, scene.unknown);
   }
   if (const auto sighting = scene.sightings.find(id); sighting != scene.sightings.end()) {
+    // Plans tell of all parts of a body under the id of the body.
+    if (sighting->second.body != id) (*object)["part_of"] = sighting->second.body;
     (*object)["views"] = sighting->second.views;
     (*object)["unseen"] = sighting->second.unseen;
     if (const auto& wall = sighting->second.wall) {
@@ -199,7 +201,7 @@ std::vector<SceneBody> lumps_of(const std::vector<SceneBody>& bodies) {
 std::map<int, Sighting> sightings_of(const std::vector<SceneBody>& bodies) {
   std::map<int, Sighting> sightings;
   for (const SceneBody& body : bodies) {
-    const Sighting sighting{body.views, body.unseen, body.track, body.wall};
+    const Sighting sighting{body.id, body.views, body.unseen, body.track, body.wall};
     sightings[body.id] = sighting;
     for (const int part : body.parts) sightings[part] = sighting;
   }

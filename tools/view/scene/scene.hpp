@@ -21,6 +21,8 @@ using Rejected = std::map<std::string, std::int64_t>;
 
 /// Properties of a body that the page shows with each of its parts; see SceneBody.
 struct Sighting {
+  /// Id of the body.
+  int body = 0;
   /// Number of views that show it.
   int views = 1;
   /// Time since the newest of them [s].

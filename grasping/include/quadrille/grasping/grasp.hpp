@@ -26,7 +26,8 @@ constexpr auto words_of(GraspKind) {
 
 /// One two-finger grasp. Frame G: origin midway between the pads, z approach, y closing.
 struct Grasp {
-  /// Id of the detection, box or body to be grasped.
+  /// Id of the detection, box or body to be grasped. A detection that is part of a body is grasped
+  /// under the id of the body, unless the query names it.
   int target = 0;
   /// Track of the target, which is that of its body if it is no quadric; 0 if it has none.
   int track = 0;

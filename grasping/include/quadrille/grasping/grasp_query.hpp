@@ -46,7 +46,8 @@ struct GraspQuery {
   static constexpr double kMaxMinClearance = 0.03;
 
   /// Ids of detections, boxes and bodies, and ids of tracks; if both are empty, all targets are
-  /// wanted.
+  /// wanted. The id of a body asks for all its parts as one target, the id of one of its other
+  /// parts for that part alone.
   std::vector<int> ids, tracks;
   /// Quadric types of the targets; empty means all. Boxes count as planes.
   std::vector<QuadricType> types;

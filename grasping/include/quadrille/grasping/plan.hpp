@@ -23,8 +23,9 @@
 
 namespace quadrille {
 
-/// How the search for grasps of one target ended. Detections and boxes that were refused as targets
-/// have one too.
+/// How the search for grasps of one target ended: of a body with all its parts, or of one part that
+/// the query names. Detections and boxes that were refused as targets, and are no part of one, have
+/// an outcome too.
 struct TargetOutcome {
   /// Id of the detection, box or body.
   int target = 0;
