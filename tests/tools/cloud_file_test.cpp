@@ -20,7 +20,7 @@ std::string packed(const std::string& path) {
   return path + ".gz";
 }
 
-std::string error_of(const std::string& path) {
+std::string read_error(const std::string& path) {
   return test::error_of([&] { io::read_cloud(path); });
 }
 
@@ -44,8 +44,8 @@ TEST_CASE("points as text are read as they stand", "[io]") {
   CHECK(moved.viewpoint == Eigen::Vector3d(0, 0, 1));
   const PointCloud scaled = io::read_cloud(path, X_CF * Eigen::Scaling(0.5));
   CHECK(scaled.points[0] == Eigen::Vector3f(0.5F, 1.0F, 2.5F));
-  CHECK(contains(error_of(folder.write("b.xyz", "1 2 3\n1 2\n")), "line 2"));
-  CHECK(contains(error_of(folder.write("c.xyz", "1 2 3x\n")), "line 1"));
+  CHECK(contains(read_error(folder.write("b.xyz", "1 2 3\n1 2\n")), "line 2"));
+  CHECK(contains(read_error(folder.write("c.xyz", "1 2 3x\n")), "line 1"));
 }
 
 TEST_CASE("packed clouds are read, damaged ones refused", "[io]") {
@@ -55,11 +55,12 @@ TEST_CASE("packed clouds are read, damaged ones refused", "[io]") {
   CHECK(io::read_cloud(path).points == io::read_cloud(plain).points);
   const std::vector<std::byte> bytes = io::read_file(path);
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  CHECK(contains(error_of(folder.write("b.ply.gz", text.substr(0, text.size() / 2))), "cut short"));
+  CHECK(
+      contains(read_error(folder.write("b.ply.gz", text.substr(0, text.size() / 2))), "cut short"));
   std::string damaged = text;
   damaged[text.size() / 2] ^= 0x55;
-  CHECK(contains(error_of(folder.write("c.ply.gz", damaged)), "damaged"));
-  CHECK(contains(error_of(folder.write("d.bin.gz", text)), "unknown kind of file"));
+  CHECK(contains(read_error(folder.write("c.ply.gz", damaged)), "damaged"));
+  CHECK(contains(read_error(folder.write("d.bin.gz", text)), "unknown kind of file"));
 }
 
 TEST_CASE("a cloud may come on the standard input", "[io][command]") {

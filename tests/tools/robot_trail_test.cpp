@@ -1,5 +1,7 @@
 #include "poses/robot_trail.hpp"
 
+#include <lcmtypes/quadrille/robot_t.hpp>
+
 #include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
