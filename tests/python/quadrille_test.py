@@ -321,7 +321,8 @@ class Plan(unittest.TestCase):
             self.assertGreaterEqual(grasp.score, first.score)
         asked = []
         same = scene.plan(best=1000, accept=lambda grasp: asked.append(grasp.score) or True)
-        self.assertEqual(sorted(asked, reverse=True), [g.score for g in plain])
+        # Of grasps that are alike on two parts of a body, only the better one is given.
+        self.assertLessEqual({g.score for g in plain}, set(asked))
         self.assertEqual([g.score for g in same], [g.score for g in plain])
         none = scene.plan(accept=lambda grasp: False)
 

@@ -85,7 +85,8 @@ struct GraspQuery {
   /// on. A motion planner can say here which poses the arm can take. The grasp is in the frame of
   /// the query. The calls come one after the other, from the thread that called plan(), in an order
   /// that is always the same for the same input, and their time counts towards the deadline. An
-  /// exception ends the plan and passes through it.
+  /// exception ends the plan and passes through it. Of accepted grasps that are alike on two parts
+  /// of a body only the better one is given.
   std::function<bool(const Grasp&)> accept;
 
   /// Returns true if the query asks for some targets only.
