@@ -185,6 +185,10 @@ void Aggregation::divide() {
     std::optional<TwoPieces> pieces =
         two_pieces(surfaces_[k], sibling, samples_, accepted_.claims.free(), options_);
     if (!pieces) continue;
+    const auto is_large = [&](const Surface& piece) {
+      return static_cast<int>(piece.region.size()) >= options_.min_samples;
+    };
+    if (!is_large(pieces->cylinder) && !is_large(pieces->cone)) continue;
     judge_.weigh(&pieces->cylinder, accepted_);
     judge_.weigh(&pieces->cone, accepted_);
     if (!sibling && pieces->gain < kStrongGain &&
@@ -195,7 +199,7 @@ void Aggregation::divide() {
     const double least = surfaces_[k].confidence;
     remove(k);
     for (Surface* piece : {&pieces->cylinder, &pieces->cone}) {
-      if (static_cast<int>(piece->region.size()) < options_.min_samples) continue;
+      if (!is_large(*piece)) continue;
       piece->confidence = std::max(piece->confidence, least);
       accept(std::move(*piece));
     }

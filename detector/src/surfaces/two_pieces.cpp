@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -28,10 +29,13 @@ constexpr int kIterations = 6;
 constexpr int kRounds = 4;
 // Pieces with so many times the loss of the one quadric do not become better by further rounds.
 constexpr double kHopeless = 2.0;
+// Number of bottles, jars and flasks for each other thing in which a cylinder goes on as a curved
+// surface about the same axis, such as a lamp or a vase with a foot.
+constexpr double kBottleOdds = 20.0;
 // Least number of samples of a piece that is fitted: a cone has six unknowns.
 constexpr std::size_t kLeastSamples = 9;
-// Unknowns of an axis, which the pieces share.
-constexpr int kAxis = 4;
+// Unknowns of an axis, which the pieces share, and of the crease between them.
+constexpr int kAxis = 4, kCrease = 1;
 
 /// Pose of a surface's canonical frame, whose z axis is the axis.
 Eigen::Isometry3d axis_of(const Surface& surface) { return form_of(surface).X; }
@@ -68,14 +72,14 @@ class Division {
 
   std::optional<TwoPieces> pieces() {
     if (!around_.outside) return std::nullopt;
-    const double of_one = criterion_of_one();
     // No pieces are better than those that explain all samples exactly.
-    if (!(of_one > criterion_of_two(0.0))) return std::nullopt;
+    if (!(criterion_of_one(loss_of_one_) > criterion_of_two(0.0))) return std::nullopt;
     for (int round = 0; round < kRounds; ++round) {
       if (!take_lines() || !fit()) return std::nullopt;
-      if (loss_of_two() > kHopeless * loss_of_one_) return std::nullopt;
+      seek_crease();
+      if (loss_of_two_ > kHopeless * loss_of_one_) return std::nullopt;
     }
-    const double gain = of_one - criterion_of_two(loss_of_two());
+    const double gain = criterion_of_one(loss_beside_cylinder()) - criterion_of_two(loss_of_two_);
     if (!(gain > 0.0)) return std::nullopt;
     take_inliers();
     std::array<Surface, 2> found;
@@ -189,30 +193,64 @@ class Division {
     return sum;
   }
 
-  double criterion_of_one() const {
-    const double prior = sibling_ ? log_prior(form_of(surface_).type) : 0.0;
-    return criterion(loss_of_one_, family_spec(surface_.fit.family).dof) - 2.0 * prior;
+  /// The loss of the one quadric if samples beyond its region may lie on the cylinder: what the
+  /// quadric leaves over there speaks against it no more than against the cone.
+  double loss_beside_cylinder() const {
+    const Eigen::Matrix4f one = surface_.Q.matrix().cast<float>(), cylinder = pieces_[0].matrix();
+    std::vector<int> region = surface_.region;
+    std::sort(region.begin(), region.end());
+    double sum = 0.0;
+    for (const int i : around_.samples) {
+      const float on_one = loss(i, one);
+      const bool is_own = std::binary_search(region.begin(), region.end(), i);
+      sum += is_own ? on_one : std::min(on_one, loss(i, cylinder));
+    }
+    return sum;
   }
 
-  double loss_of_two() const {
-    const std::array Q = {pieces_[0].matrix(), pieces_[1].matrix()};
-    double sum = 0.0;
-    for (const int i : around_.samples) sum += std::min(loss(i, Q[0]), loss(i, Q[1]));
-    return sum;
+  double criterion_of_one(double loss) const {
+    const double prior =
+        log_prior(form_of(surface_).type) - (sibling_ ? std::log(kBottleOdds) : 0.0);
+    return criterion(loss, family_spec(surface_.fit.family).dof) - 2.0 * prior;
   }
 
   /// Beside the pieces, the place of the crease between them is unknown.
   double criterion_of_two(double loss) const {
-    const int dof = family_spec(Family::kCylinder).dof + family_spec(Family::kCone).dof - kAxis;
-    return criterion(loss, sibling_ ? dof : dof + 1);
+    return criterion(loss, family_spec(Family::kCylinder).dof + family_spec(Family::kCone).dof -
+                               kAxis + kCrease);
   }
 
-  /// Gives each piece the samples that lie on its quadric.
+  /// Finds the height at which one piece ends and the other begins, with the least loss.
+  void seek_crease() {
+    const std::array Q = {pieces_[0].matrix(), pieces_[1].matrix()};
+    const auto sorted = profile();
+    std::array<double, 2> all = {0.0, 0.0};
+    for (const auto& [point, i] : sorted) {
+      for (std::size_t k = 0; k < 2; ++k) all[k] += loss(i, Q[k]);
+    }
+    loss_of_two_ = std::numeric_limits<double>::infinity();
+    std::array<double, 2> below = {0.0, 0.0};
+    for (const auto& [point, i] : sorted) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        const double sum = below[k] + all[1 - k] - below[1 - k];
+        if (sum < loss_of_two_) loss_of_two_ = sum, crease_ = point.z, lower_ = k;
+      }
+      for (std::size_t k = 0; k < 2; ++k) below[k] += loss(i, Q[k]);
+    }
+  }
+
+  /// Gives each piece the samples on its side of the crease that lie on its quadric.
   void take_inliers() {
     const std::array Q = {pieces_[0].matrix(), pieces_[1].matrix()};
     std::array<std::vector<int>, 2> regions;
-    for (const int i : around_.samples) assign(i, loss(i, Q[0]), loss(i, Q[1]), &regions);
-    for (std::size_t k = 0; k < 2; ++k) pieces_[k].region = std::move(regions[k]);
+    for (const auto& [point, i] : profile()) {
+      const std::size_t k = point.z < crease_ ? lower_ : 1 - lower_;
+      if (loss(i, Q[k]) < kMaxDeviations * kMaxDeviations) regions[k].push_back(i);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::sort(regions[k].begin(), regions[k].end());
+      pieces_[k].region = std::move(regions[k]);
+    }
   }
 
   const Surface& surface_;
@@ -227,6 +265,10 @@ class Division {
   std::optional<Piece> sibling_;
   /// The cylinder and the cone.
   std::array<Piece, 2> pieces_;
+  /// Height of the crease along the axis, and number of the piece below it.
+  float crease_ = 0.0f;
+  std::size_t lower_ = 0;
+  double loss_of_two_ = 0.0;
 };
 
 bool is_curved_along_axis(const Surface& surface) {

@@ -29,8 +29,9 @@ struct TwoPieces {
 ///
 /// Inner sides are left whole: that of a mug is a cylinder that bends where it meets the bottom.
 ///
-/// A cone next to a sibling begins where that ends, so the pieces have one unknown less, and its
-/// quadric's type has the log_prior() of things in general, among which bottles are more common.
+/// The loss of the one quadric is compared with that of the pieces, of which each counts on its
+/// side of the crease. Samples beyond the one quadric's region may lie on the cylinder in both
+/// cases.
 /// @param sibling  see sibling.hpp; may be null
 /// @param free     samples that belong to no surface
 /// @return nullopt if the one quadric explains the samples better, or is no candidate

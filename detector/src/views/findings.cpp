@@ -12,6 +12,7 @@
 #include "bodies/common_axis.hpp"
 #include "bodies/expect_usual_walls.hpp"
 #include "bodies/find_bodies.hpp"
+#include "bodies/upright_cones.hpp"
 #include "bodies/walls.hpp"
 #include "boxes/box_hints.hpp"
 #include "boxes/find_boxes.hpp"
@@ -176,6 +177,7 @@ Measured measure_all(const Scene& scene, const DetectorOptions& options) {
       measured.detections[k] = measure(fits[k].surface, scene.finest, scene.viewpoint(), sights);
     }
   };
+  if (scene.context.up) measure_anew(stand_cones_up(*scene.context.up, &fits));
   std::vector<CommonAxis> axes = fit_common_axes(measured.detections, &fits);
   for (const CommonAxis& axis : axes) measure_anew(axis.members);
   std::vector<WallGap> gaps = find_gaps(measured.detections, fits, scene.finest, axes);
