@@ -14,7 +14,6 @@ enum class PoseLack {
   kNoPose,    ///< no pose has come, or only newer ones
   kOldPose,   ///< the pose before the cloud, or the one after it, is too far from it in time
   kLatePose,  ///< no pose after the cloud has come in time
-  kJump,      ///< the poses around the cloud are farther apart than a camera moves in that time
 };
 
 /// The camera's pose in W when it took a cloud, or why that is not known.
@@ -26,9 +25,6 @@ struct CameraPose {
   /// Motion of the camera between these two poses or the newest ones; 0 if it is not known.
   Motion motion = {};
   PoseLack lack = PoseLack::kNoPose;
-  /// How often the fixed frame was set anew before the cloud, as far as that is known: the poses
-  /// jumped, and did not come back.
-  int frame = 0;
   /// The problem and its remedy, for the log; empty if the pose is known.
   std::string detail = {};
 };
@@ -44,19 +40,14 @@ class CameraPoses {
 
   /// Returns the pose for a cloud taken at this time [us], interpolated between the last pose at or
   /// before it and the first one after it, if both are near enough. A pose of exactly that time is
-  /// used as it is. There is none if a camera cannot have moved from the one to the other, or to
-  /// that pose from the one before it.
+  /// used as it is.
   CameraPose at(std::int64_t utime) const;
-
-  /// Returns true if the poses jumped between two clouds [us] and did not come back.
-  bool is_set_anew(std::int64_t before, std::int64_t after) const;
 
   /// Explains why a cloud has no pose, and what to do about it.
   std::string explain(std::int64_t utime, const CameraPose& none) const;
 
  private:
   Motion newest_motion() const;
-  bool jumps_to(const bus::PoseMessage& pose) const;
 
   double max_age_, max_wait_;
   PoseHistory history_;

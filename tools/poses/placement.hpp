@@ -12,8 +12,6 @@ struct Placement {
   Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity(), X_RK = Eigen::Isometry3d::Identity();
   /// Pose of frame K in the fixed frame, if the camera's pose is known.
   std::optional<Eigen::Isometry3d> X_WK;
-  /// CameraPose::frame.
-  int fixed_frame = 0;
   /// Name of R if it differs from C; otherwise empty.
   std::string frame;
   /// Why the camera's pose, although needed, is not known; empty if nothing is missing.

@@ -58,18 +58,6 @@ class PoseHistory {
   /// Returns the poses around a time [us]; the pointers are valid until the next pose is added.
   PoseBracket around(std::int64_t utime) const;
 
-  /// Calls visit(before, after) for all poses that follow each other from the last one at or before
-  /// a time to the last one at or before a later time [us].
-  template <class Visit>
-  void each_step(std::int64_t from, std::int64_t to, const Visit& visit) const {
-    const bus::PoseMessage* previous = nullptr;
-    for (const bus::PoseMessage& pose : poses_) {
-      if (pose.utime > to) return;
-      if (previous != nullptr && pose.utime > from) visit(*previous, pose);
-      previous = &pose;
-    }
-  }
-
   /// Returns the newest pose; null if there is none.
   const bus::PoseMessage* newest() const { return poses_.empty() ? nullptr : &poses_.back(); }
 

@@ -71,11 +71,6 @@ class WaitingClouds {
       if (!is_end && !is_crowded() && max_wait_ > 0.0 && waited <= max_wait_) return std::nullopt;
       pose.detail = poses_.explain(first.utime, pose) + (is_crowded() ? describe_crowd() : "");
     }
-    if (pose.X_WK) {
-      if (last_placed_ && poses_.is_set_anew(*last_placed_, first.utime)) ++frame_;
-      last_placed_ = first.utime;
-    }
-    pose.frame = frame_;
     Posed posed{first.utime, std::move(first.cloud), std::move(pose)};
     bytes_ -= first.bytes;
     waiting_.pop_front();
@@ -102,9 +97,6 @@ class WaitingClouds {
   double max_wait_;
   std::size_t max_bytes_, bytes_ = 0;
   std::deque<Waiting> waiting_;
-  /// When the last cloud with a pose was taken [us], and its CameraPose::frame.
-  std::optional<std::int64_t> last_placed_;
-  int frame_ = 0;
 };
 
 }  // namespace quadrille

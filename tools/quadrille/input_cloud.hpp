@@ -23,8 +23,6 @@ struct InputCloud {
   /// Pose of K in the frame C in which results are given: the cloud's own, or the fixed frame W of
   /// the poses on the channel of poses.
   Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
-  /// See Placement.
-  int fixed_frame = 0;
   /// For clouds of a log: the channel, and the time of capture [us].
   std::string channel;
   std::int64_t utime = 0;

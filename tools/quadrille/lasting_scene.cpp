@@ -10,13 +10,6 @@ DetectionResult LastingScene::detect(InputCloud* input, const std::string& path,
       cameras_.try_emplace({logged ? path : "", input->channel}, number).first->second;
   // Files have no time; their order is what counts.
   utime_ = logged ? input->utime : utime_ + 1;
-  int& frame = frames_[camera];
-  const bool is_set_anew = frame != input->fixed_frame;
-  frame = input->fixed_frame;
-  if (is_set_anew) {
-    detector_->forget();
-    if (memory_) memory_->forget();
-  }
   const PointCloud cloud = robot.taken_from(input->cloud);
   if (memory_) {
     memory_->add(utime_, cloud, input->X_CK, camera);
@@ -24,11 +17,6 @@ DetectionResult LastingScene::detect(InputCloud* input, const std::string& path,
   }
   DetectionResult found = detector_->detect(utime_, cloud, input->X_CK, camera);
   input->X_CK = detector_->correction(camera) * input->X_CK;
-  if (is_set_anew) {
-    found.warnings.emplace_back(
-        "the poses jumped before this cloud, and did not come back: what earlier clouds showed is "
-        "forgotten");
-  }
   return found;
 }
 

@@ -45,8 +45,6 @@ class LastingScene {
   std::optional<ViewMemory> memory_;
   /// Numbers of the cameras: one for each channel of a log, and one for all files.
   std::map<std::pair<std::string, std::string>, int> cameras_;
-  /// InputCloud::fixed_frame of the last cloud of each.
-  std::map<int, int> frames_;
   /// Time of the last cloud [us].
   std::int64_t utime_ = 0;
 };

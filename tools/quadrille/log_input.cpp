@@ -31,7 +31,6 @@ Placement in_world_of(const CameraPose& pose) {
   Placement placement;
   placement.X_WK = pose.X_WK;
   placement.X_RK = pose.X_WK.value_or(Eigen::Isometry3d::Identity());
-  placement.fixed_frame = pose.frame;
   placement.frame = to_string(CloudFrame::kWorld);
   placement.lack = pose.detail;
   return placement;
@@ -62,7 +61,6 @@ std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const st
   const Placement placement = in_world ? in_world_of(posed->pose) : arguments.frames.placement();
   found.lack = placement.lack;
   input.X_CK = placement.X_RK;
-  input.fixed_frame = placement.fixed_frame;
   input.cloud = moved(std::move(message.cloud), placement.X_CK.inverse());
   if (in_world) {
     input.cloud.frame = placement.frame;

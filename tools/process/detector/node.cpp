@@ -104,18 +104,10 @@ DetectionResult DetectorNode::detect_lasting(const bus::CloudMessage& cloud,
   return result;
 }
 
-/// Forgets what all clouds showed if the fixed frame was set anew since the camera's last one.
-void DetectorNode::heed_frame(int camera, const CameraPose& pose) {
-  int& frame = frames_[camera];
-  if (frame != pose.frame) lasting_.forget();
-  frame = pose.frame;
-}
-
 /// Remembers what a further camera saw. What is found there serves later clouds alone.
 void DetectorNode::remember_view(int camera, const bus::CloudMessage& cloud,
                                  const CameraPose& pose) {
   if (!pose.X_WK || forgotten_.is_after(cloud.utime)) return;
-  heed_frame(camera, pose);
   std::optional<RobotShapes> robot_K;
   {
     const std::lock_guard lock(mutex_);
@@ -153,7 +145,6 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
   const PointCloud cloud_K =
       robot.taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames));
   const bool lasts = settings_.remembers() && pose.X_WK && !forgotten_.is_after(cloud.utime);
-  if (lasts) heed_frame(0, pose);
   DetectionResult result =
       lasts ? detect_lasting(cloud, cloud_K, *pose.X_WK) : detect(cloud_K, settings_.detector);
   if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result);

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
 #include <lcmtypes/quadrille/forget_t.hpp>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -57,7 +56,6 @@ class DetectorNode : public Node {
   RobotShapes robot_at(const bus::CloudMessage& cloud, const Placement& placement);
   DetectionResult detect_lasting(const bus::CloudMessage& cloud, const PointCloud& cloud_K,
                                  const Eigen::Isometry3d& X_WK, int camera = 0);
-  void heed_frame(int camera, const CameraPose& pose);
   void remember_view(int camera, const bus::CloudMessage& cloud, const CameraPose& pose);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
                                 const CameraPose& pose, const Placement& placement);
@@ -80,9 +78,6 @@ class DetectorNode : public Node {
   /// What earlier clouds showed.
   LastingDetector lasting_;
   ForgottenTime forgotten_;
-  /// CameraPose::frame of each camera's last cloud; what clouds in earlier ones showed is
-  /// forgotten.
-  std::map<int, int> frames_;
   /// The placement of the last cloud, and the name of its frame.
   std::optional<Placement> placement_;
   std::string frame_;

@@ -128,11 +128,6 @@ void PairPlanner::fit_views(std::size_t views, const GraspPlan& plan) {
 void PairPlanner::remember(const bus::CloudMessage& message, const Placement& placement,
                            const RobotShapes& robot, int camera) {
   if (!settings_.remembers() || !placement.X_WK) return;
-  if (int& frame = frames_[camera]; frame != placement.fixed_frame) {
-    frame = placement.fixed_frame;
-    memory_.forget();
-    ready_ = nullptr;
-  }
   if (forgotten_.is_after(message.utime)) return;
   // What another camera shows may change the plans on a cloud that has been planned on.
   if (camera != 0) ready_ = nullptr;

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -77,9 +76,6 @@ class PairPlanner {
   /// Largest number of views for which there is time.
   std::size_t max_views_ = std::numeric_limits<std::size_t>::max();
   ForgottenTime forgotten_;
-  /// Placement::fixed_frame of each camera's last cloud; what clouds in earlier ones showed is
-  /// forgotten.
-  std::map<int, int> frames_;
   std::atomic<std::int64_t> cut_{0}, views_{0};
   std::atomic<double> correction_{0.0};
   LimitedLog cut_log_;

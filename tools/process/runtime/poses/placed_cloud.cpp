@@ -12,7 +12,6 @@ bus::Decoded<bus::CloudMessage> decode_cloud(std::span<const std::byte> bytes,
 Placement place(const CloudFrames& frames, const CameraPose& pose) {
   Placement placement;
   placement.X_WK = pose.X_WK;
-  placement.fixed_frame = pose.frame;
   if (!frames.need_pose()) return placement;
   if (frames.of_results() != frames.clouds) placement.frame = to_string(frames.of_results());
   if (!pose.X_WK) {

@@ -68,13 +68,6 @@ std::vector<Job> PosedClouds::finish(const WaitingClouds<Thens>::Posed& due) {
 void PosedClouds::note(std::int64_t utime, const CameraPose& pose) {
   last_age_ = pose.age;
   if (pose.X_WK) {
-    if (pose.frame != frame_) {
-      frame_ = pose.frame;
-      frame_log_.warning(fmt::format(
-          "{}: the poses jumped before cloud {}, and did not come back: what earlier clouds showed "
-          "is forgotten",
-          source_.channel, utime));
-    }
     const std::string far = describe_if_far(pose);
     if (!far.empty()) far_log_.warning(source_.channel + ": " + far);
     return;
@@ -89,7 +82,7 @@ std::int64_t PosedClouds::poseless() const {
 }
 
 std::vector<count_t> PosedClouds::count_poseless() const {
-  constexpr std::array<const char*, 4> kNames = {"no_pose", "old_pose", "late_pose", "jump"};
+  constexpr std::array<const char*, 3> kNames = {"no_pose", "old_pose", "late_pose"};
   std::vector<count_t> counts;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (poseless_[i] == 0) continue;
