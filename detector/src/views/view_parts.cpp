@@ -83,15 +83,6 @@ void drop_open_planes(ViewParts* parts) {
   std::erase_if(parts->planes, [](const PlaneRegion& plane) { return is_open(plane.samples); });
 }
 
-/// Marks all samples of a surface if most of them are marked. If a thing was taken away, no view
-/// sees through its foot, which lies too close above what it stood on.
-void mark_rest(const std::vector<int>& region, Mask* marked) {
-  const auto count =
-      std::count_if(region.begin(), region.end(), [&](int i) { return (*marked)[i] != 0; });
-  if (2 * static_cast<std::size_t>(count) <= region.size()) return;
-  for (const int i : region) (*marked)[i] = 1;
-}
-
 /// True for samples within this distance of a box's sides, or inside [m].
 constexpr double kNear = 0.006;
 
@@ -109,6 +100,13 @@ int samples_on(const Box& box, const ViewParts& parts) {
 }
 
 }  // namespace
+
+void mark_rest(const std::vector<int>& region, const Mask& seen_through, Mask* marked) {
+  const auto count =
+      std::count_if(region.begin(), region.end(), [&](int i) { return seen_through[i] != 0; });
+  if (2 * static_cast<std::size_t>(count) <= region.size()) return;
+  for (const int i : region) (*marked)[i] = 1;
+}
 
 ViewParts parts_of(const Scene& view) {
   ViewParts parts{view.coarse, view.planes, view.finest, {}, {}, view.plane_of_cell};
@@ -161,9 +159,12 @@ void KeptParts::drop(const Mask& coarse, const Mask& finest) {
 }
 
 void KeptParts::drop(const Contradiction& contradiction) {
-  Mask finest = contradiction.seen_through(parts.finest.raw);
-  for (const PlaneRegion& flat : parts.flats) mark_rest(flat.samples, &finest);
-  for (const Candidate& candidate : parts.candidates) mark_rest(candidate.region, &finest);
+  const Mask through = contradiction.seen_through(parts.finest.raw);
+  Mask finest = through;
+  for (const PlaneRegion& flat : parts.flats) mark_rest(flat.samples, through, &finest);
+  for (const Candidate& candidate : parts.candidates) {
+    mark_rest(candidate.region, through, &finest);
+  }
   contradiction.mark_behind_new(parts.finest.raw, &finest);
   drop(contradiction.of_points(parts.coarse.raw), finest);
   contradiction.clear(&sight);

@@ -59,6 +59,12 @@ struct KeptParts {
 /// @param view  a scene of one view, with its points
 KeptParts kept_parts(const Scene& view);
 
+/// Marks all samples of a surface if a newer view sees through most of them. If a thing was taken
+/// away, no view sees through its foot, which lies too close above what it stood on.
+/// @param seen_through  nonzero for the samples that the newer view sees through; what is marked
+///   for one surface says nothing about another one that shares samples with it
+void mark_rest(const std::vector<int>& region, const Mask& seen_through, Mask* marked);
+
 /// Adds the boxes that a view shows.
 void keep_boxes(const std::vector<Box>& boxes, KeptParts* kept);
 

@@ -7,6 +7,8 @@
 
 #include "base/random.hpp"
 #include "support/catch.hpp"
+#include "views/contradiction.hpp"
+#include "views/view_parts.hpp"
 
 using namespace quadrille;
 using Eigen::Vector3f;
@@ -115,4 +117,43 @@ TEST_CASE("points at the border of a thing are seen through with its cells", "[v
   const Mask none = cells_seen_through(before, before);
   CHECK(count(none) == 0);
   CHECK(count(border_points_seen_through(points, before, none, before)) == 0);
+}
+
+TEST_CASE("a surface that shares samples with one that is gone loses these alone", "[views]") {
+  // 20 samples of the square, which is taken away, and 24 of the wall, which stays.
+  KeptParts kept;
+  kept.sight = sight_of(Vector3f::Zero(), 0.0f, 0.9f);
+  std::vector<int> gone, stays;
+  for (int n = 0; n < 44; ++n) {
+    const float x = 0.01f * static_cast<float>(n % 10 - 5);
+    const float y = 0.02f * static_cast<float>(n / 10 - 2);
+    const bool on_square = n < 20;
+    kept.parts.finest.raw.emplace_back(on_square ? x : x + 0.25f, y, on_square ? 0.9f : 1.0f);
+    // Two samples of the square and all of the wall are also those of the surface that stays, and
+    // half of the wall also those of the surface that is gone.
+    if (n < 32) gone.push_back(n);
+    if (n >= 18) stays.push_back(n);
+  }
+  SurfaceSamples& finest = kept.parts.finest;
+  finest.p = finest.n = finest.raw;
+  finest.sigma.assign(44, 0.001f);
+  finest.cell.assign(44, 0.01f);
+  finest.count.assign(44, 1);
+  finest.source.assign(44, 0);
+  finest.first.assign(45, 0);
+  kept.parts.coarse.first = {0};
+  kept.scatter.assign(44, Eigen::Matrix3f::Zero());
+  kept.parts.plane_of_cell.assign(44, -1);
+  for (const std::vector<int>& region : {gone, stays}) {
+    kept.parts.candidates.emplace_back().region = region;
+  }
+  const Sight newer = sight_of({0.1f, 0.0f, 0.0f}, 0.0f, 1.0f);
+  const Sight older = kept.sight;
+  const Contradiction contradiction(older, newer);
+  const Mask through = contradiction.seen_through(finest.raw);
+  REQUIRE(count(through) == 20);
+  kept.drop(contradiction);
+  REQUIRE(kept.parts.candidates.size() == 1);
+  CHECK(kept.parts.candidates.front().region.size() == 12);
+  CHECK(kept.parts.finest.size() == 12);
 }
