@@ -78,15 +78,6 @@ const Advice* find_advice(std::string_view reason) {
   return nullptr;
 }
 
-/// Says what refused most candidates; nothing if that is the reason that was told already.
-std::string explain_most(const RefusalCounts& refusals, Refusal told) {
-  const Refusal most = commonest(refusals).value();
-  const int count = refusals.at(most);
-  const Advice* const advice = find_advice(to_string(most));
-  if (count == refusals.at(told) || advice == nullptr) return "";
-  return fmt::format("; most, {}, were refused as {}: {}", count, to_string(most), advice->what);
-}
-
 std::string join(std::string_view what, std::string_view cure) {
   return cure.empty() ? std::string(what) : fmt::format("{}; {}", what, cure);
 }
@@ -111,9 +102,8 @@ std::string explain_no_grasp(const TargetOutcome& outcome) {
                      : fmt::format("{} of {} candidates, which got furthest", refused, all);
   const Advice* const advice = find_advice(to_string(*why));
   if (advice == nullptr) return fmt::format("{} ({})", to_string(*why), which);
-  return fmt::format("{} ({}): {}{}", to_string(*why), which,
-                     join(advice->what, advice->is_sure ? advice->cure : ""),
-                     explain_most(outcome.refusals, *why));
+  return fmt::format("{} ({}): {}", to_string(*why), which,
+                     join(advice->what, advice->is_sure ? advice->cure : ""));
 }
 
 }  // namespace quadrille
