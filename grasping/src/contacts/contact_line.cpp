@@ -19,6 +19,8 @@ constexpr double kHeightStep = 0.008;
 constexpr int kMaxHeightSteps = 16;
 // Contacts farther from the pad's middle than this share of its shorter side count as beside it.
 constexpr double kMaxOffPad = 0.45;
+// Soft pads give by about this much, so that they touch two ends whose radii differ by no more [m].
+constexpr double kPadsGive = 0.0005;
 
 /// The line through ±p_Q + offset_Q, with the outward normals at its two ends.
 struct Pair {
@@ -67,12 +69,16 @@ std::vector<double> heights(const Body& body, const Gripper& gripper) {
   return z;
 }
 
-/// Returns the height at which pads meet a body that they hold at height z. Beside a waist flat
-/// pads meet it where it is widest, and steepest, within their reach; with the waist between their
-/// ends they rest on both of these, so that they cannot slide.
+/// Returns the height at which pads meet a body that they hold at height z, from `low` to `high`.
+/// Flat pads meet a waist at the end, of themselves or of the body, at which it is wider, and
+/// steeper. With the waist between two ends that are equally wide they rest on both, so that they
+/// cannot slide.
 double meeting_height(const Body& body, double z, double low, double high) {
-  if (body.profile != Body::Profile::kHyperbola || (low < 0.0 && high > 0.0)) return z;
-  return low >= 0.0 ? high : low;
+  if (body.profile != Body::Profile::kHyperbola) return z;
+  const double semi_axis = std::max(body.a, body.b);
+  const double wider = semi_axis * (body.scale(high) - body.scale(low));
+  if (low < 0.0 && high > 0.0 && std::abs(wider) <= kPadsGive) return z;
+  return wider >= 0.0 ? high : low;
 }
 
 void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d& view_Q,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "contacts/quality.hpp"
 #include "grasping/scenes.hpp"
@@ -97,6 +98,38 @@ TEST_CASE("pads beside a waist meet it at their wide ends", "[contacts]") {
           Approx(body.a * body.a * end / (body.c * body.c * r)).epsilon(1e-6));
   }
   CHECK(beside > 0);
+}
+
+TEST_CASE("pads at a waist near the body's end meet the wide end alone, at two alike ends both",
+          "[contacts]") {
+  Body body;
+  body.profile = Body::Profile::kHyperbola;
+  body.a = body.b = 0.02;
+  body.c = 0.05;
+  const double reach = 0.5 * franka_hand().pad.maxCoeff();
+  // The lean of the radius r = a√(1 + z²/c²) is r' = az/(c²√(1 + z²/c²)).
+  const auto lean = [](double z) {
+    return 0.02 * z / (0.05 * 0.05 * std::sqrt(1.0 + z * z / (0.05 * 0.05)));
+  };
+  const auto friction_near = [&](double z) {
+    const std::vector<ContactLine> lines = contact_lines(body, franka_hand(), {0, 0, -1});
+    const auto off = [&](const ContactLine& line) { return std::abs(line.centre_C.z() - z); };
+    const auto nearest = std::min_element(
+        lines.begin(), lines.end(),
+        [&](const ContactLine& one, const ContactLine& other) { return off(one) < off(other); });
+    REQUIRE(off(*nearest) < 1e-9);
+    return friction_needed(*nearest);
+  };
+  // The body ends 1 mm below its waist. The lowest of the heights is a quarter of the length above
+  // that end, at 5 mm.
+  body.z_min = -0.001;
+  body.z_max = -0.001 + 4.0 * 0.006;
+  CHECK(friction_near(0.005) == Approx(lean(0.005 + reach)));
+  CHECK(lean(0.005 + reach) > 0.1);
+  // With the waist in the middle, nothing slides.
+  body.z_min = -0.02;
+  body.z_max = 0.02;
+  CHECK(friction_near(0.0) == Approx(0.0).margin(1e-12));
 }
 
 TEST_CASE("a chord beside the widest part is narrower and needs friction", "[contacts]") {
