@@ -217,8 +217,8 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
   line.width = line.opening = out[0] + out[1];
   line.centre_C = p_C + 0.5 * (out[0] - out[1]) * y_C_;
   const double lean_most = std::max(lean(0, out[0], p_Q), lean(1, out[1], p_Q));
-  meeting.friction = std::max(doubted_friction(lean_most, line.lean_std), friction_needed(line));
-  if (meeting.friction > max_friction) return std::nullopt;
+  meeting.friction = std::max(lean_most, friction_needed(line));
+  if (doubted_friction(meeting.friction, line.lean_std) > max_friction) return std::nullopt;
   return meeting;
 }
 

@@ -15,7 +15,11 @@ double friction_needed(const ContactLine& line) {
     if (c <= 0.0) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, line.normals_C[i].cross(along).norm() / c);
   }
-  return doubted_friction(worst, line.lean_std);
+  return worst;
+}
+
+double doubted_friction(const ContactLine& line) {
+  return doubted_friction(friction_needed(line), line.lean_std);
 }
 
 double doubted_friction(double friction, double lean_std) {

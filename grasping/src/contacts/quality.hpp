@@ -5,13 +5,17 @@
 namespace quadrille {
 
 /// Returns the least friction coefficient that closes two opposite contacts: μ* = tan θ, where θ is
-/// the larger angle between the line through the contacts and a normal (Nguyen), plus the standard
-/// deviation of that angle; infinite from 90° on.
+/// the larger angle between the line through the contacts and a normal (Nguyen); infinite from 90°
+/// on.
 double friction_needed(const ContactLine& line);
 
 /// Returns the friction coefficient that a hold may need if the angle that demands `friction` may
 /// be larger by `lean_std` [rad].
 double doubted_friction(double friction, double lean_std);
+
+/// Returns the friction coefficient that a pair of contacts may need, given how well their lean is
+/// known. This decides whether the pair is refused, and enters the score.
+double doubted_friction(const ContactLine& line);
 
 /// Friction model of two soft-finger contacts.
 struct ContactModel {

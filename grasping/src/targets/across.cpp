@@ -42,7 +42,7 @@ constexpr double kMinAlongAxis = 0.7;
 
 std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task) {
   if (const auto why = misfit(line, task)) return why;
-  if (friction_needed(line) > kFrictionShare * task.parts.options.friction)
+  if (doubted_friction(line) > kFrictionShare * task.parts.options.friction)
     return Refusal::kFriction;
   if (contradicted(line, *task.parts.space)) return Refusal::kContradicted;
   return std::nullopt;

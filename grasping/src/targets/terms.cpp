@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contacts/pad_cover.hpp"
+#include "contacts/quality.hpp"
 #include "contacts/success.hpp"
 
 namespace quadrille {
@@ -55,7 +56,8 @@ GraspTerms terms_of(const Attempt& attempt, double preshape, const TargetTask& t
   const Body& body = task.target.body;
   const double reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
   GraspTerms terms = best_terms(task.target, task.parts);
-  const double spare = 1.0 - attempt.friction / task.parts.options.friction;
+  const double spare =
+      1.0 - doubted_friction(attempt.friction, line.lean_std) / task.parts.options.friction;
   terms.friction = spare * attempt.straight;
   terms.reserve = std::clamp(spare / kFullReserve, 0.0, 1.0);
   terms.room = std::min(1.0, 0.5 * (preshape - line.opening) / kFullRoom);
