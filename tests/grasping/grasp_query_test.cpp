@@ -214,6 +214,9 @@ TEST_CASE("all parts of a body are one target, unless a query names a part", "[q
   GraspQuery query;
   query.ids = {2};
   CHECK(targets_of(made.plan(query)) == std::set{2});
+  // Whoever names the body too gets all of it.
+  query.ids = {1, 2};
+  CHECK(outcome_of(made.plan(query), 1).grasps == outcome_of(one, 1).grasps);
   query = {};
   query.tracks = {32};
   CHECK(targets_of(made.plan(query)) == std::set{2});

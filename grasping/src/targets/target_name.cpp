@@ -15,7 +15,8 @@ bool contains(const std::vector<int>& list, int value) {
 TargetName name_of(const Target& target, const GraspQuery& query) {
   const bool named = contains(query.ids, target.id) ||
                      (target.track != target.body_track && contains(query.tracks, target.track));
-  if (named) return {target.id, target.track};
+  // A query that names the body too asks for all of it.
+  if (named && !contains(query.ids, target.body_id)) return {target.id, target.track};
   return {target.body_id, target.main_track};
 }
 

@@ -11,7 +11,8 @@ struct TargetName {
 };
 
 /// A robot takes a body as a whole, so a plan tells of all its parts under the id of the body. A
-/// part that the query names by its own id or track is told of under these.
+/// part that the query names by its own id or track is told of under these, unless the query names
+/// the body's id too.
 TargetName name_of(const Target& target, const GraspQuery& query);
 
 }  // namespace quadrille
