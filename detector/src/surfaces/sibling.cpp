@@ -22,7 +22,7 @@ Eigen::Vector3d foot_on(const Eigen::Isometry3d& X, const Eigen::Vector3d& p) {
   return X.translation() + z * z.dot(p - X.translation());
 }
 
-/// True if a cylinder has about the axis of a surface.
+/// True if a cylinder and a surface have about the same axis.
 bool about_one_axis(const Surface& cylinder, const Surface& surface) {
   if (!may_meet(cylinder.local, surface.local)) return false;
   const Eigen::Isometry3d a = pose_of(cylinder), b = pose_of(surface);
