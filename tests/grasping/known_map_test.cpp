@@ -2,10 +2,14 @@
 #include <octomap/OcTree.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <random>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,12 +22,35 @@
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/plan_options.hpp"
 #include "quadrille/grasping/surroundings.hpp"
+#include "space/outer_middles.hpp"
 #include "space/space_mapper.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
+
+namespace {
+
+/// Makes the largest node of a map about a voxel that is no larger than this occupied, without
+/// nodes below it.
+/// @return the node's edge [m]
+double add_block(octomap::OcTree* tree, const octomap::OcTreeKey& key, double largest) {
+  tree->updateNode(key, true);
+  unsigned depth = tree->getTreeDepth();
+  while (2.0 * tree->getNodeSize(depth) <= largest && depth > 1) {
+    octomap::OcTreeNode* parent = tree->search(key, --depth);
+    for (unsigned child = 0; child < 8; ++child) {
+      if (!tree->nodeChildExists(parent, child)) tree->createNodeChild(parent, child);
+      tree->getNodeChild(parent, child)->setLogOdds(3.0f);
+    }
+    tree->pruneNode(parent);
+  }
+  tree->updateInnerOccupancy();
+  return tree->getNodeSize(depth);
+}
+
+}  // namespace
 
 TEST_CASE("hands that meet what a map says is occupied are refused, and no others",
           "[surroundings][map]") {
@@ -108,6 +135,84 @@ TEST_CASE("each occupied voxel of a map, however small and turned, is in the pla
     }
     CHECK(far == 0);
   }
+}
+
+TEST_CASE("a large block of tiny voxels takes as little work as the plan's own voxels",
+          "[surroundings][map]") {
+  std::mt19937 random(12);
+  // If all voxels of the block, or of its faces, were asked, this would not end.
+  const double resolution = GENERATE(0.003, 1e-5, 2e-6);
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.1, -0.1, 0.5),
+                                   Eigen::Vector3d(0.1, 0.1, 0.7));
+  auto tree = std::make_shared<octomap::OcTree>(resolution);
+  const octomap::OcTreeKey key = tree->coordToKey(octomap::point3d(0.0f, 0.0f, 0.0f));
+  const double edge = add_block(tree.get(), key, 0.08);
+  REQUIRE(edge > 0.04);
+  const Eigen::AlignedBox3d block_M(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(edge));
+  const Eigen::Isometry3d X_MB(Eigen::Translation3d(block_M.center()));
+  const Eigen::Isometry3d X_CM = Eigen::Translation3d(0.003, 0.001, 0.602) *
+                                 Eigen::Quaterniond(turned_frame().linear()) * X_MB.inverse();
+  SpaceMapper mapper(region, 0.005);
+  REQUIRE(mapper.add({tree, X_CM}));
+  const OccupancyGrid grid = std::move(mapper).take();
+  // Voxels at the faces of the block, which are hardest to find.
+  std::uniform_int_distribution<int> any(0, static_cast<int>(std::lround(edge / resolution)) - 1);
+  int lost = 0;
+  for (int n = 0; n < 20000; ++n) {
+    Eigen::Array3d at(any(random), any(random), any(random));
+    at[n % 3] = n % 2 == 0 ? 0 : any.b();
+    const Eigen::Vector3d middle_C = X_CM * Eigen::Vector3d(resolution * (at + 0.5));
+    lost += grid.at(middle_C) != Voxel::kOccupied;
+  }
+  CHECK(lost == 0);
+  int far = 0;
+  for (int k = 0; k < grid.size().z(); ++k) {
+    for (int j = 0; j < grid.size().y(); ++j) {
+      for (int i = 0; i < grid.size().x(); ++i) {
+        if (grid.at(i, j, k) != Voxel::kOccupied) continue;
+        const Eigen::Vector3d p_M = X_CM.inverse() * grid.centre(i, j, k);
+        far += block_M.exteriorDistance(p_M) > 0.5 * std::sqrt(3.0) * 0.005;
+      }
+    }
+  }
+  CHECK(far == 0);
+}
+
+TEST_CASE("of a block of voxels only the outer layers are asked, and each of these once",
+          "[surroundings][map]") {
+  const Eigen::AlignedBox3d cube(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones());
+  const int n = GENERATE(1, 4, 7, 32);
+  const double edge = 1.0 / n;
+  std::set<std::array<int, 3>> asked;
+  int visits = 0;
+  each_outer_middle(cube, cube, edge, edge, [&](const Eigen::Vector3d& p) {
+    ++visits;
+    asked.insert(
+        {static_cast<int>(n * p.x()), static_cast<int>(n * p.y()), static_cast<int>(n * p.z())});
+  });
+  // Two layers on each side.
+  const int inner = std::max(n - 4, 0);
+  CHECK(visits == n * n * n - inner * inner * inner);
+  CHECK(asked.size() == static_cast<std::size_t>(visits));
+}
+
+TEST_CASE("of a map that is too fine to keep hands off its own voxels a warning tells",
+          "[surroundings][map]") {
+  const CanScene scene;
+  const double resolution = GENERATE(0.004, 0.0002);
+  Surroundings known;
+  auto tree = std::make_shared<octomap::OcTree>(resolution);
+  const Eigen::Vector3d beside_C = scene.X_CW * Eigen::Vector3d(0.12, 0.0, 0.08);
+  const Eigen::Isometry3d X_CM(Eigen::Translation3d(beside_C) *
+                               Eigen::Quaterniond(turned_frame().linear()));
+  tree->updateNode(octo_point(X_CM.inverse() * beside_C), true);
+  known.map = {tree, X_CM};
+  const GraspPlan plan = plan_scene(scene, known, UnknownPolicy::kWeighed);
+  const auto tells = [](const std::string& warning) {
+    return warning.find("the voxels of the given map are too small") == 0;
+  };
+  CHECK(std::count_if(plan.warnings.begin(), plan.warnings.end(), tells) ==
+        (resolution < 0.001 ? 1 : 0));
 }
 
 TEST_CASE("free nodes of a map make free what no view tells, and nothing else",

@@ -156,7 +156,14 @@ void map_space(const ViewClouds& views, const Surroundings& known, SceneParts* p
   parts->map.emplace(*parts->space,
                      unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
                      parts->views, !occupied_by_map);
-  if (occupied_by_map) parts->known_map = TurnedMap::of(known.map, *parts->space, known.robot);
+  if (occupied_by_map) {
+    parts->known_map = TurnedMap::of(known.map, *parts->space, known.robot);
+    if (TurnedMap::is_too_fine(known.map, *parts->space)) {
+      parts->warnings.push_back(
+          "the voxels of the given map are too small for the space about the targets; hands keep "
+          "off the plan's voxels that hold some of them, but may touch others at their corners");
+    }
+  }
   // The map of others shows no points of its own, so that nothing tells what its voxels hold.
   if (!occupied_by_map) free_supports(parts, &*parts->map);
 }

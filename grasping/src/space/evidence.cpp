@@ -2,7 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "quadrille/detector/near_shape.hpp"
 #include "quadrille/detector/point_cloud.hpp"
@@ -22,8 +25,8 @@ Eigen::AlignedBox3d region_of(const OccupancyGrid& grid) {
 
 void OccupancyGrid::Evidence::occupy(const Eigen::Isometry3d& X_FC, OccupancyGrid* grid) const {
   PointCloud cloud;
-  cloud.points.reserve(points_C->size() + beside_C.size());
   for (const std::vector<Eigen::Vector3f>* points : {points_C.get(), &beside_C}) {
+    if (points == nullptr) continue;
     for (const Eigen::Vector3f& p_C : *points) {
       cloud.points.emplace_back((X_FC * p_C.cast<double>()).cast<float>());
     }
@@ -36,6 +39,9 @@ void OccupancyGrid::Evidence::occupy(const Eigen::Isometry3d& X_FC, OccupancyGri
     mapper.free_within(NearShape(shape, there.padding));
   }
   const OccupancyGrid made = std::move(mapper).take();
+  if (made.size() != grid->size() || made.corner() != grid->corner()) {
+    throw std::logic_error("a grid made again has other voxels");
+  }
   for (std::size_t n = 0; n < made.states_.size(); ++n) {
     if (made.states_[n] == Voxel::kOccupied) grid->states_[n] = Voxel::kOccupied;
   }

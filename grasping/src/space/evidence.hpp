@@ -13,7 +13,7 @@ namespace quadrille {
 /// occupied by this once more: a voxel that took over what it overlaps of turned voxels would make
 /// surfaces three times as thick.
 struct OccupancyGrid::Evidence {
-  /// The points of all views in the grid, without strays, in frame C.
+  /// The points of all views in the grid, without strays, in frame C; null if there are none.
   std::shared_ptr<const std::vector<Eigen::Vector3f>> points_C;
   /// Further ones that are in the grid, but not in the region for which it was made.
   std::vector<Eigen::Vector3f> beside_C;

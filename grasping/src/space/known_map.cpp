@@ -1,9 +1,12 @@
 // Adds the space that a given OctoMap knows, and the robot's own space, to what the views show.
 #include <octomap/OcTree.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <optional>
 
 #include "space/each_cube.hpp"
+#include "space/outer_middles.hpp"
 #include "space/space_mapper.hpp"
 
 namespace quadrille {
@@ -22,24 +25,38 @@ Eigen::AlignedBox3d within_tree(const Eigen::AlignedBox3d& region_M, const octom
   return region_M.intersection(Eigen::AlignedBox3d(-most, most));
 }
 
-/// Calls visit(p) for the middles of the voxels in a cube of a map that may lie in a voxel of
-/// another lattice with its middle outside of the cube.
-/// @param region  only those in or beside it count
-/// @param edge, other  edges of the voxels of both lattices [m]
-template <class Visit>
-void each_outer_middle(const Eigen::AlignedBox3d& cube, const Eigen::AlignedBox3d& region,
-                       double edge, double other, Visit&& visit) {
-  const Eigen::Array3d last = (cube.sizes().array() / edge).round().max(1.0) - 1.0;
-  const Eigen::Array3d low = ((region.min() - cube.min()).array() / edge).floor().max(0.0);
-  const Eigen::Array3d high = ((region.max() - cube.min()).array() / edge).floor().min(last);
-  const double layers = std::ceil(0.5 * std::sqrt(3.0) * other / edge) + 1.0;
-  if ((low > high).any()) return;
-  each_cube(low.cast<int>(), high.cast<int>() + 1, 1, [&](const Eigen::Vector3i& voxel) {
-    const Eigen::Array3d at = voxel.cast<double>().array();
-    if ((at >= layers).all() && (at <= last - layers).all()) return;
-    visit(Eigen::Vector3d(cube.min().array() + edge * (at + 0.5)));
-  });
-}
+/// Tells which voxels of another lattice may hold middles of voxels in a cube of a map, which they
+/// can do with their own middles outside of it.
+class HeldMiddles {
+ public:
+  /// @param edge, other  edges of the voxels of the map and of the other lattice [m]
+  HeldMiddles(const Eigen::AlignedBox3d& cube_M, const Eigen::Isometry3d& X_MC, double edge,
+              double other)
+      : middle_M_(cube_M.center()),
+        half_M_((0.5 * (cube_M.sizes().array() - edge)).max(0.0)),
+        R_CM_(X_MC.linear().transpose()),
+        reach_M_(half_M_ + R_CM_.transpose().cwiseAbs().rowwise().sum() * (0.5 * other)),
+        farthest_(0.5 * std::sqrt(3.0) * other),
+        reach_C_((R_CM_.cwiseAbs() * half_M_).array() + 0.5 * other) {}
+
+  /// True if the box of all middles and a voxel overlap along the axes of both, as they do if the
+  /// voxel holds a middle.
+  /// @param p_M  the voxel's middle
+  bool may_be_in(const Eigen::Vector3d& p_M) const {
+    const Eigen::Vector3d from_M = p_M - middle_M_;
+    const Eigen::Vector3d beside_M = (from_M.cwiseAbs() - half_M_).cwiseMax(0.0);
+    return beside_M.norm() <= farthest_ && (from_M.cwiseAbs().array() <= reach_M_.array()).all() &&
+           ((R_CM_ * from_M).cwiseAbs().array() <= reach_C_.array()).all();
+  }
+
+ private:
+  Eigen::Vector3d middle_M_, half_M_;
+  Eigen::Matrix3d R_CM_;
+  Eigen::Vector3d reach_M_;
+  /// Half the diagonal of a voxel of the other lattice [m].
+  double farthest_;
+  Eigen::Vector3d reach_C_;
+};
 
 }  // namespace
 
@@ -77,18 +94,24 @@ bool SpaceMapper::add(const KnownMap& map) {
     const double half = 0.5 * leaf.getSize();
     const Eigen::Vector3d middle_M = to_eigen(leaf.getCoordinate());
     const Eigen::AlignedBox3d cube_M(middle_M.array() - half, middle_M.array() + half);
-    each_voxel(cube_M.transformed(map.X_CM), [&](const Eigen::Vector3i& at) {
-      if (cube_M.contains(X_MC * centre(at))) mark(at);
-    });
-    if (!occupied) continue;
+    const double edge = tree.getResolution(), reach = 0.5 * grid_.resolution();
     // The voxel at the middle of a small or turned one of the map may have its own middle
-    // elsewhere.
-    each_outer_middle(cube_M, region_M, tree.getResolution(), grid_.resolution(),
-                      [&](const Eigen::Vector3d& p_M) {
-                        const Eigen::Vector3d p_C = map.X_CM * p_M;
-                        const double reach = 0.5 * grid_.resolution();
-                        each_voxel({p_C.array() - reach, p_C.array() + reach}, mark);
-                      });
+    // elsewhere. In a large cube of small voxels these are too many to ask each of them.
+    const bool asks_own = occupied && edge < grid_.resolution() && leaf.getSize() > 1.5 * edge;
+    std::optional<HeldMiddles> held;
+    if (asks_own) held.emplace(cube_M, X_MC, edge, grid_.resolution());
+    const Eigen::AlignedBox3d box_C = cube_M.transformed(map.X_CM);
+    const double beside = asks_own ? reach : 0.0;
+    each_voxel({box_C.min().array() - beside, box_C.max().array() + beside},
+               [&](const Eigen::Vector3i& at) {
+                 const Eigen::Vector3d p_M = X_MC * centre(at);
+                 if (cube_M.contains(p_M) || (held && held->may_be_in(p_M))) mark(at);
+               });
+    if (!occupied || asks_own) continue;
+    each_outer_middle(cube_M, region_M, edge, grid_.resolution(), [&](const Eigen::Vector3d& p_M) {
+      const Eigen::Vector3d p_C = map.X_CM * p_M;
+      each_voxel({p_C.array() - reach, p_C.array() + reach}, mark);
+    });
   }
   return any_occupied;
 }

@@ -11,22 +11,38 @@
 #include "space/space_mapper.hpp"
 
 namespace quadrille {
+namespace {
+
+bool is_turned(const KnownMap& map, const OccupancyGrid& plan) {
+  return map.tree->getResolution() != plan.resolution() || !map.X_CM.matrix().isIdentity(0.0);
+}
+
+/// The region of a plan in the map's frame. A grid of whole blocks has to lie within the range of
+/// voxels that are counted.
+Eigen::AlignedBox3d region_in_map(const KnownMap& map, const OccupancyGrid& plan) {
+  const double most =
+      (OccupancyGrid::kMaxCoordinate - OccupancyGrid::kBlock) * map.tree->getResolution();
+  const Eigen::AlignedBox3d countable_M(Eigen::Vector3d::Constant(-most),
+                                        Eigen::Vector3d::Constant(most));
+  return plan.bounds().transformed(map.X_CM.inverse()).intersection(countable_M);
+}
+
+}  // namespace
+
+bool TurnedMap::is_too_fine(const KnownMap& map, const OccupancyGrid& plan) {
+  if (!map.tree || plan.size().isZero() || !is_turned(map, plan)) return false;
+  const Eigen::AlignedBox3d region_M = region_in_map(map, plan);
+  return !region_M.isEmpty() &&
+         count_voxels(region_M, map.tree->getResolution()) > OccupancyGrid::kMaxVoxels;
+}
 
 std::optional<TurnedMap> TurnedMap::of(const KnownMap& map, const OccupancyGrid& plan,
                                        const RobotShapes& robot_C) {
-  if (!map.tree || plan.size().isZero()) return std::nullopt;
-  const double edge = map.tree->getResolution();
-  if (edge == plan.resolution() && map.X_CM.matrix().isIdentity(0.0)) return std::nullopt;
+  if (!map.tree || plan.size().isZero() || !is_turned(map, plan)) return std::nullopt;
+  const Eigen::AlignedBox3d region_M = region_in_map(map, plan);
+  if (region_M.isEmpty() || is_too_fine(map, plan)) return std::nullopt;
   const Eigen::Isometry3d X_MC = map.X_CM.inverse();
-  // A grid of whole blocks has to lie within the range of voxels that are counted.
-  const Eigen::Vector3d most =
-      Eigen::Vector3d::Constant((OccupancyGrid::kMaxCoordinate - OccupancyGrid::kBlock) * edge);
-  const Eigen::AlignedBox3d region_M =
-      plan.bounds().transformed(X_MC).intersection(Eigen::AlignedBox3d(-most, most));
-  if (region_M.isEmpty() || count_voxels(region_M, edge) > OccupancyGrid::kMaxVoxels) {
-    return std::nullopt;
-  }
-  SpaceMapper mapper(region_M, edge);
+  SpaceMapper mapper(region_M, map.tree->getResolution());
   mapper.add({map.tree, Eigen::Isometry3d::Identity()});
   const RobotShapes robot_M = quadrille::moved(robot_C, X_MC);
   for (const SolidShape& shape : robot_M.shapes) {

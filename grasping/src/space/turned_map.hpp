@@ -21,10 +21,13 @@ class TurnedMap {
  public:
   /// @param plan  the voxels of the plan, in frame C
   /// @param robot_C  nothing is occupied where the robot's own shapes are
-  /// @return nullopt if there is no map, its lattice is that of the plan, or it has more voxels in
-  ///   this region than a grid may have
+  /// @return nullopt if there is no map, its lattice is that of the plan, or it is too fine
   static std::optional<TurnedMap> of(const KnownMap& map, const OccupancyGrid& plan,
                                      const RobotShapes& robot_C);
+
+  /// True if the map has more voxels in the region of a plan than a grid may have. Then hands keep
+  /// off the plan's voxels alone.
+  static bool is_too_fine(const KnownMap& map, const OccupancyGrid& plan);
 
   /// Copies the part of the map about a region.
   TurnedMap within(const Eigen::AlignedBox3d& region_C) const;
