@@ -5,7 +5,8 @@ namespace quadrille {
 /// The terms from which the score of a grasp is computed, each from 0 to 1. They are known before
 /// the grasp is tried.
 struct GraspTerms {
-  /// Friction to spare: 1 − μ*/μ, less for pads that lie askew on a curved wall.
+  /// Friction to spare: 1 − μ*/μ, less for pads that lie askew on a curved wall. Here μ* is that of
+  /// a lean which is larger than the likeliest by one standard deviation.
   double friction = 0.0;
   /// Friction to spare divided by 0.3, at most 1: contacts are known to some degrees, which a small
   /// reserve does not cover; more than that makes no difference.
