@@ -126,6 +126,7 @@ class Division {
     if (around_.samples.size() < kLeastProfile) return false;
     const auto sorted = profile();
     std::vector<MeridianPoint> points;
+    points.reserve(sorted.size());
     for (const auto& [point, i] : sorted) points.push_back(point);
     const TwoLines lines = two_lines(points);
     std::array<std::vector<int>, 2> regions;

@@ -47,6 +47,7 @@ ContactLine placed(const Body& body, const Pair& pair) {
 /// sight, and the level direction.
 std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vector3d& up_Q) {
   std::vector<double> angles;
+  angles.reserve(kEven);
   for (int i = 0; i < kEven; ++i) angles.push_back(kPi * i / kEven);
   if (view_Q.head<2>().norm() > 0.1 * view_Q.norm()) {
     const double across = std::atan2(view_Q.y(), view_Q.x()) + 0.5 * kPi;
