@@ -1,6 +1,7 @@
 #include "targets/target_surfaces.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "grasping/scenes.hpp"
@@ -48,7 +49,8 @@ struct ScenePoints {
     }
     views.emplace_back(cloud);
     parts.views = views;
-    parts.points.p_C = cloud.points;
+    parts.points.shared_C = std::make_shared<const std::vector<Eigen::Vector3f>>(cloud.points);
+    parts.points.p_C = *parts.points.shared_C;
     parts.points.view.assign(cloud.points.size(), 0);
     parts.points.runs = CloudRuns(parts.points.p_C);
     parts.surfaces = TargetSurfaces(parts.targets);
