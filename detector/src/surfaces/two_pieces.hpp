@@ -34,7 +34,8 @@ struct TwoPieces {
 /// cases.
 /// @param sibling  see sibling.hpp; may be null
 /// @param free     samples that belong to no surface
-/// @return nullopt if the one quadric explains the samples better, or is no candidate
+/// @return nullopt if the one quadric explains the samples better, or is no quadric of revolution
+///   that curves along its axis
 std::optional<TwoPieces> two_pieces(const Surface& surface, const Surface* sibling,
                                     const SurfaceSamples& samples, const Mask& free,
                                     const AggregateOptions& options);

@@ -9,9 +9,9 @@
 
 namespace quadrille {
 
-/// What says which voxels of a grid are occupied. A grid that is wanted in another frame is made
-/// occupied by this once more: a voxel that took over what it overlaps of turned voxels would make
-/// surfaces three times as thick.
+/// The points, map and shapes from which the occupied voxels of a grid were made. They tell which
+/// voxels are occupied in another frame too. Taking over the state of all turned voxels that a
+/// voxel overlaps would make surfaces three times as thick.
 struct OccupancyGrid::Evidence {
   /// The points of all views in the grid, without strays, in frame C; null if there are none.
   std::shared_ptr<const std::vector<Eigen::Vector3f>> points_C;

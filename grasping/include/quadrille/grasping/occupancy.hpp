@@ -90,7 +90,7 @@ class OccupancyGrid {
   friend class ObstacleMap;
   /// Decides voxels when they are asked for.
   class Source;
-  /// What says which voxels are occupied.
+  /// The points, map and shapes from which the occupied voxels were made.
   struct Evidence;
 
   OccupancyGrid() = default;
