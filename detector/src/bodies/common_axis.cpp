@@ -15,6 +15,7 @@
 #include "fit/coaxial_fit.hpp"
 #include "fit/family_spec.hpp"
 #include "quadrille/detector/quadric.hpp"
+#include "surfaces/surface_fit.hpp"
 #include "surfaces/uncertainty.hpp"
 
 namespace quadrille {
@@ -84,11 +85,9 @@ CommonAxis set_fits(const std::vector<Member>& members, const CoaxialFit& joint,
   for (std::size_t i = 0; i < members.size(); ++i) {
     Surface& surface = (*fits)[members[i].index].surface;
     // The sum of squares may be that of some of the points only; see ClosedFit.
-    const double rss = surface.fit.rss * joint.parts[i].rss / members[i].alone;
-    surface.fit = joint.parts[i];
-    surface.fit.rss = rss;
-    surface.Q = surface.local.to_frame(surface.fit.posed.matrix()).normalized();
-    surface.rms = surface.local.scale * std::sqrt(rss / surface.fit.points);
+    FamilyFit fit = joint.parts[i];
+    fit.rss = surface.fit.rss * joint.parts[i].rss / members[i].alone;
+    set_fit(&surface, std::move(fit));
     const double square = surface.local.scale * surface.local.scale;
     variances.push_back(members[i].part.weight * square * variance_of(surface));
   }

@@ -11,6 +11,7 @@
 #include "bodies/profile.hpp"
 #include "fit/distance_sums.hpp"
 #include "fit/posed_quadric.hpp"
+#include "surfaces/surface_fit.hpp"
 #include "surfaces/uncertainty.hpp"
 #include "surfaces/usual_wall.hpp"
 
@@ -96,11 +97,10 @@ bool is_possible(const Change& change, const Surface& surface) {
 }
 
 void apply(const Change& change, Surface* surface) {
-  FamilyFit& fit = surface->fit;
+  FamilyFit fit = surface->fit;
   fit.posed = change.posed;
   fit.rss *= change.growth;
-  surface->Q = surface->local.to_frame(fit.posed.matrix()).normalized();
-  surface->rms = surface->local.scale * std::sqrt(fit.rss / fit.points);
+  set_fit(surface, std::move(fit));
   const auto I = Eigen::MatrixXd::Identity(change.covariance.rows(), change.covariance.cols());
   surface->information.JtJ = variance_of(*surface) * change.covariance.ldlt().solve(I);
   surface->information.Jt1 = -surface->information.JtJ * change.by_offset;

@@ -11,6 +11,7 @@
 #include "fit/posed_quadric.hpp"
 #include "fit/straight_profile.hpp"
 #include "quadrille/detector/quadric.hpp"
+#include "surfaces/surface_fit.hpp"
 
 namespace quadrille {
 namespace {
@@ -93,9 +94,7 @@ std::vector<int> stand_cones_up(const Eigen::Vector3d& up, std::vector<LastFit>*
     const bool tapers = growth_of(member, *cylinder) - growth > kSignificant;
     if (!tapers || !is_chance(growth, 1)) continue;
     Surface& surface = leaning.surface;
-    surface.fit = std::move(*cone);
-    surface.Q = surface.local.to_frame(surface.fit.posed.matrix()).normalized();
-    surface.rms = surface.local.scale * std::sqrt(surface.fit.rss / surface.fit.points);
+    set_fit(&surface, std::move(*cone));
     surface.information = information(leaning.points, surface.fit);
     changed.push_back(static_cast<int>(k));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fit/model_selection.hpp"
 #include "surfaces/evidence/effective_share.hpp"
@@ -14,14 +15,18 @@ constexpr int kIterations = 6;
 
 }  // namespace
 
+void set_fit(Surface* surface, FamilyFit fit) {
+  surface->Q = surface->local.to_frame(fit.posed.matrix()).normalized();
+  surface->rms = surface->local.scale * std::sqrt(fit.rss / fit.points);
+  surface->fit = std::move(fit);
+}
+
 Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFit fit,
                    const OrientedPointsf& points) {
   Surface surface;
   surface.local = local;
-  surface.Q = local.to_frame(fit.posed.matrix()).normalized();
-  surface.rms = local.scale * std::sqrt(fit.rss / fit.points);
   surface.information = information(points, fit);
-  surface.fit = std::move(fit);
+  set_fit(&surface, std::move(fit));
   surface.region = std::move(region);
   return surface;
 }

@@ -8,6 +8,10 @@
 
 namespace quadrille {
 
+/// Gives a surface another fit, in its local coordinates, with the quadric and the residual that
+/// follow from it. What its points tell about the fit stays as it was.
+void set_fit(Surface* surface, FamilyFit fit);
+
 /// Makes the surface of a region from a fit to some of its points, without evidence.
 /// @param local  map to the coordinates of the fit
 /// @param points  the points of the fit
