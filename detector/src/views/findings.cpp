@@ -20,6 +20,7 @@
 #include "boxes/numbered_boxes.hpp"
 #include "quadrille/detector/parallel_for.hpp"
 #include "samples/cell_scatter.hpp"
+#include "surfaces/heap.hpp"
 #include "surfaces/last_fit.hpp"
 #include "surfaces/measure.hpp"
 #include "surfaces/plane_surface.hpp"
@@ -105,13 +106,15 @@ std::vector<std::optional<Detection>> measured_planes(const Scene& scene, double
   return planes;
 }
 
-/// Returns the surfaces that are no part of a plane, and gives them their cells.
+/// Returns the surfaces that are neither part of a plane nor heaps on one, and gives them their
+/// cells.
 /// @param sample_of  receives for each finest cell of all views its sample on a surface
 std::vector<Surface> surfaces_off_planes(const Scene& scene, Measured* measured,
                                          std::vector<int>* sample_of) {
   std::vector<Surface> surfaces;
   for (const Surface& surface : scene.surfaces) {
     if (is_flat(surface) && is_part_of(surface, scene.finest, scene.planes, scene.coarse)) continue;
+    if (is_heap(surface, scene.finest, scene.planes)) continue;
     for (const int i : surface.region) {
       const int cell = scene.finest.source[i];
       measured->owner[cell] = static_cast<int>(surfaces.size());
