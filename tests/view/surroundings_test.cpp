@@ -51,7 +51,7 @@ void add_poses(view::LatestMessages& messages) {
   for (int i = -2; i <= 2; ++i) {
     Eigen::Isometry3d X_WK = taken_from();
     X_WK.translation().x() += 0.1 * i;
-    messages.camera->add(bus::encode_pose({kTaken + 10000 * i, X_WK}));
+    messages.camera->add(bus::encode_pose({kTaken + 40000 * i, X_WK}));
   }
 }
 

@@ -14,6 +14,7 @@ enum class PoseLack {
   kNoPose,    ///< no pose has come, or only newer ones
   kOldPose,   ///< the pose before the cloud, or the one after it, is too far from it in time
   kLatePose,  ///< no pose after the cloud has come in time
+  kJump,      ///< the poses around the cloud are farther apart than a camera moves in that time
 };
 
 /// The camera's pose in W when it took a cloud, or why that is not known.
@@ -40,7 +41,8 @@ class CameraPoses {
 
   /// Returns the pose for a cloud taken at this time [us], interpolated between the last pose at or
   /// before it and the first one after it, if both are near enough. A pose of exactly that time is
-  /// used as it is.
+  /// used as it is. There is none if a camera cannot have moved from the one to the other, or to
+  /// that pose from the one before it.
   CameraPose at(std::int64_t utime) const;
 
   /// Explains why a cloud has no pose, and what to do about it.
@@ -48,6 +50,7 @@ class CameraPoses {
 
  private:
   Motion newest_motion() const;
+  bool jumps_to(const bus::PoseMessage& pose) const;
 
   double max_age_, max_wait_;
   PoseHistory history_;

@@ -68,7 +68,9 @@ class WaitingClouds {
     CameraPose pose = poses_.at(first.utime);
     if (!pose.X_WK) {
       const double waited = static_cast<double>(now) - static_cast<double>(first.since);
-      if (!is_end && !is_crowded() && max_wait_ > 0.0 && waited <= max_wait_) return std::nullopt;
+      // No later pose makes up for one that is wrong.
+      const bool may_come = !is_end && pose.lack != PoseLack::kJump;
+      if (may_come && !is_crowded() && max_wait_ > 0.0 && waited <= max_wait_) return std::nullopt;
       pose.detail = poses_.explain(first.utime, pose) + (is_crowded() ? describe_crowd() : "");
     }
     Posed posed{first.utime, std::move(first.cloud), std::move(pose)};

@@ -39,6 +39,40 @@ TEST_CASE("poses further from the cloud than the largest age are none, and the r
   CHECK(f.reasons() == "no_pose 1 old_pose 2 ");
 }
 
+TEST_CASE("clouds where the poses jump have none, and the reason is told", "[process][pose]") {
+  const Eigen::Isometry3d off =
+      GENERATE(Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.5, 0.0)),
+               Eigen::Isometry3d(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY())));
+  MovingCamera f;
+  for (int i = 0; i <= 6; ++i) {
+    // One pose is wrong, to whose time there is a cloud.
+    f.pose(40 * kMs * i, 40 * kMs * i, i == 3 ? off : Eigen::Isometry3d::Identity());
+  }
+  const auto has_pose = [&](std::int64_t utime) {
+    f.cloud(utime, 250 * kMs);
+    REQUIRE(f.done.back() == utime);
+    return f.last.X_WK.has_value();
+  };
+  CHECK(has_pose(60 * kMs));
+  for (const std::int64_t utime : {100, 120, 140}) {
+    CHECK_FALSE(has_pose(utime * kMs));
+    CHECK(f.last.detail.find("the poses around it are farther apart than a camera moves") == 0);
+  }
+  CHECK(has_pose(180 * kMs));
+  CHECK(f.reasons() == "jump 3 ");
+}
+
+TEST_CASE("poses that follow each other at once may differ by their noise", "[process][pose]") {
+  MovingCamera f;
+  const Eigen::Isometry3d off(Eigen::Translation3d(0.0, 0.04, 0.0));
+  for (int i = 0; i <= 6; ++i) {
+    f.pose(kMs * i, kMs * i, i % 2 == 0 ? off : Eigen::Isometry3d::Identity());
+  }
+  f.cloud(3 * kMs + 500, 10 * kMs);
+  CHECK(f.last.X_WK);
+  CHECK(f.reasons().empty());
+}
+
 TEST_CASE("poses that are far from the clouds of a moving camera are warned of, once in a while",
           "[process][pose]") {
   const LoggedLines log;

@@ -23,10 +23,14 @@ class MovingCamera {
 
   /// A pose of that time comes at that time of the clock.
   void pose(std::int64_t utime, std::int64_t now) {
+    pose(utime, now, Eigen::Isometry3d::Identity());
+  }
+  /// The same with the camera elsewhere than on its way.
+  /// @param X_KK  pose of the camera in its frame on the way
+  void pose(std::int64_t utime, std::int64_t now, const Eigen::Isometry3d& X_KK) {
     do_all(clouds_.take_due(Node::Time(now)));
     const double x = kSpeed * 1e-6 * static_cast<double>(utime);
-    clouds_.receive_pose(encode_pose(utime, Eigen::Isometry3d(Eigen::Translation3d(x, 0, 0))),
-                         &refusals);
+    clouds_.receive_pose(encode_pose(utime, Eigen::Translation3d(x, 0, 0) * X_KK), &refusals);
     do_all(clouds_.take_due(Node::Time(now)));
   }
   void cloud(std::int64_t utime, std::int64_t now, std::size_t bytes = 0) {

@@ -64,11 +64,11 @@ TEST_CASE("each further camera has its number, and its own poses", "[process][ca
   two.pose(0, 0.0);
   two.cloud("MOVING", 5 * kMs);
   CHECK(two.done.size() == 1);
-  two.pose(10 * kMs, 0.1);
+  two.pose(10 * kMs, 0.01);
   two.pass(11 * kMs);
   REQUIRE(two.done.size() == 2);
   CHECK(two.done[1].camera == 2);
-  CHECK(two.done[1].x == Approx(0.05));
+  CHECK(two.done[1].x == Approx(0.005));
   CHECK(two.views.decoded() == 2);
   CHECK(two.views.find_oddities().empty());
 }

@@ -82,7 +82,7 @@ std::int64_t PosedClouds::poseless() const {
 }
 
 std::vector<count_t> PosedClouds::count_poseless() const {
-  constexpr std::array<const char*, 3> kNames = {"no_pose", "old_pose", "late_pose"};
+  constexpr std::array<const char*, 4> kNames = {"no_pose", "old_pose", "late_pose", "jump"};
   std::vector<count_t> counts;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (poseless_[i] == 0) continue;

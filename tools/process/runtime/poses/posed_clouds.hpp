@@ -65,7 +65,8 @@ class PosedClouds {
   std::int64_t poses() const { return poses_received_; }
   /// Number of clouds that got no pose.
   std::int64_t poseless() const;
-  /// Returns the number of clouds that got no pose by reason: "no_pose", "old_pose", "late_pose".
+  /// Returns the number of clouds that got no pose by reason: "no_pose", "old_pose", "late_pose",
+  /// "jump".
   /// Reasons that did not occur are left out.
   std::vector<count_t> count_poseless() const;
   /// Returns oddities in the poses of a whole log with this many clouds; empty if there are none. A
@@ -86,7 +87,7 @@ class PosedClouds {
   WaitingClouds<Thens> waiting_;
   Node::Time now_{};
   std::int64_t poses_received_ = 0;
-  std::array<std::int64_t, 3> poseless_{};
+  std::array<std::int64_t, 4> poseless_{};
   std::optional<double> last_age_;
   LimitedLog poseless_log_, far_log_{std::chrono::seconds(10)};
 };
