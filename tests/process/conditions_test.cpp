@@ -60,7 +60,7 @@ TEST_CASE("a hand that is to come from above does so wherever the camera moves",
        {Eigen::Vector3d(0.5, 0.1, 0.5), Eigen::Vector3d(-0.3, -0.4, 0.6),
         Eigen::Vector3d(0.1, 0.7, 0.4)}) {
     const FromThere there(p_WK);
-    there.show(chain, utime += 1'000'000);
+    there.show(chain, utime += 1000);
     const grasps_t grasps = chain.grasps();
     CHECK(grasps.utime == utime);
     CHECK(grasps.frame == "eye");

@@ -44,7 +44,7 @@ std::string describe_misplacement(double age, const Motion& motion) {
 }
 
 /// True if no camera moves from one pose to a later one in the time between them.
-bool is_jump(const bus::PoseMessage& before, const bus::PoseMessage& after) {
+bool is_far(const bus::PoseMessage& before, const bus::PoseMessage& after) {
   const double seconds = seconds_between(before.utime, after.utime);
   const Motion motion = motion_between(before, after);
   return (motion.speed > kMaxSpeed && motion.speed * seconds > kNoJump) ||
@@ -73,7 +73,7 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
   } else if (since <= max_age_ && until <= max_age_) {
     pose.age = std::min(since, until);
     pose.motion = motion_between(*bracket.before, *bracket.after);
-    if (is_jump(*bracket.before, *bracket.after)) {
+    if (jumps(*bracket.before, *bracket.after)) {
       pose.lack = PoseLack::kJump;
     } else {
       pose.X_WK = interpolate(*bracket.before, *bracket.after, utime);
@@ -88,12 +88,42 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
   return pose;
 }
 
+/// True if no camera moves from one pose to a later one, although it moved from most poses to the
+/// next until then. Otherwise the log shows a camera that is put from place to place.
+bool CameraPoses::jumps(const bus::PoseMessage& before, const bus::PoseMessage& after) const {
+  if (!is_far(before, after)) return false;
+  int balance = 0;
+  const bus::PoseMessage* previous = nullptr;
+  history_.each_until(before.utime, [&](const bus::PoseMessage& pose) {
+    if (previous != nullptr) balance += is_far(*previous, pose) ? -1 : 1;
+    previous = &pose;
+  });
+  return balance > 0;
+}
+
 /// True if no camera moves to a pose from the one before it.
 bool CameraPoses::jumps_to(const bus::PoseMessage& pose) const {
   if (pose.utime == std::numeric_limits<std::int64_t>::min()) return false;
   const bus::PoseMessage* before = history_.around(pose.utime - 1).before;
   return before != nullptr && seconds_between(before->utime, pose.utime) <= max_age_ &&
-         is_jump(*before, pose);
+         jumps(*before, pose);
+}
+
+bool CameraPoses::jumped_between(const bus::PoseMessage& before,
+                                 const bus::PoseMessage& after) const {
+  bus::PoseMessage previous = before;
+  std::optional<bus::PoseMessage> left, reached;
+  const auto step_to = [&](const bus::PoseMessage& pose) {
+    if (pose.utime <= before.utime) return;
+    if (is_far(previous, pose)) {
+      if (!left) left = previous;
+      reached = pose;
+    }
+    previous = pose;
+  };
+  history_.each_until(after.utime, step_to);
+  step_to(after);
+  return left && jumps(*left, *reached);
 }
 
 /// Estimates the motion from the newest pose and the last one before it that is far enough in time
@@ -112,8 +142,8 @@ std::string CameraPoses::explain(std::int64_t utime, const CameraPose& none) con
     return "no pose has come; is --pose-channel right, and does anyone send on it?";
   }
   if (none.lack == PoseLack::kJump) {
-    return "the poses around it are farther apart than a camera moves in that time; one of them is "
-           "wrong, or the fixed frame was set anew, and then old views should be dropped (FORGET)";
+    return "the poses about it are farther apart than a camera moves in that time; one of them is "
+           "wrong, or the fixed frame was set anew: then drop what older clouds showed (FORGET)";
   }
   if (!bracket.before) return "all poses kept are newer; do both senders use one clock?";
   const double since = seconds_between(bracket.before->utime, utime);

@@ -58,6 +58,14 @@ class PoseHistory {
   /// Returns the poses around a time [us]; the pointers are valid until the next pose is added.
   PoseBracket around(std::int64_t utime) const;
 
+  /// Calls visit(pose) for all poses up to a time [us], from the oldest on.
+  template <class Visit>
+  void each_until(std::int64_t utime, const Visit& visit) const {
+    for (const bus::PoseMessage& pose : poses_) {
+      if (pose.utime <= utime) visit(pose);
+    }
+  }
+
   /// Returns the newest pose; null if there is none.
   const bus::PoseMessage* newest() const { return poses_.empty() ? nullptr : &poses_.back(); }
 

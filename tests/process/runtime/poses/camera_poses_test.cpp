@@ -56,10 +56,44 @@ TEST_CASE("clouds where the poses jump have none, and the reason is told", "[pro
   CHECK(has_pose(60 * kMs));
   for (const std::int64_t utime : {100, 120, 140}) {
     CHECK_FALSE(has_pose(utime * kMs));
-    CHECK(f.last.detail.find("the poses around it are farther apart than a camera moves") == 0);
+    CHECK(f.last.detail.find("the poses about it are farther apart than a camera moves") == 0);
   }
   CHECK(has_pose(180 * kMs));
   CHECK(f.reasons() == "jump 3 ");
+}
+
+TEST_CASE("a jump of the poses between two clouds is told if it stays", "[process][pose]") {
+  const LoggedLines log;
+  const bool stays = GENERATE(false, true);
+  const std::int64_t step = GENERATE(10, 33, 100) * kMs;
+  CAPTURE(stays, step);
+  const Eigen::Isometry3d off(Eigen::Translation3d(0.0, -2.0, 0.0));
+  MovingCamera f;
+  for (int i = 0; i <= 12; ++i) {
+    const bool is_off = i == 5 || i == 6 || (stays && i > 6);
+    f.pose(step * i, 0, is_off ? off : Eigen::Isometry3d::Identity());
+  }
+  for (const int half_steps : {7, 17, 21}) {
+    f.cloud(half_steps * step / 2, 0);
+    CHECK(f.last.X_WK);
+    CHECK(f.last.is_after_jump == (stays && half_steps == 17));
+  }
+  CHECK(f.reasons().empty());
+  CHECK(log.have("POSE: the poses jumped before cloud") == stays);
+}
+
+TEST_CASE("a camera that is put from place to place has the poses that are sent",
+          "[process][pose]") {
+  MovingCamera f;
+  for (int i = 0; i <= 4; ++i) {
+    f.pose(10 * kMs * i, 0, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.5 * (i % 3), 0.0)));
+  }
+  for (int i = 0; i <= 4; ++i) {
+    f.cloud(10 * kMs * i, 0);
+    REQUIRE(f.last.X_WK);
+    CHECK(f.last.X_WK->translation().y() == Approx(0.5 * (i % 3)));
+  }
+  CHECK(f.reasons().empty());
 }
 
 TEST_CASE("poses that follow each other at once may differ by their noise", "[process][pose]") {
