@@ -13,8 +13,9 @@ namespace {
 const double kReposeCosine = std::numbers::sqrt2 / 2.0;
 // Share of the samples that may be steeper or lower by their noise.
 constexpr double kOutliers = 0.05;
-// Samples within so many standard deviations of their noise above a plane may belong to it.
-constexpr double kFootSigmas = 3.0;
+// Samples within so many standard deviations of their noise above a plane may belong to it, and so
+// may the cells that the edge of what lies on it runs through.
+constexpr double kFootSigmas = 3.0, kFootCells = 2.0;
 
 /// True if nearly all samples lie above a plane, and the lowest ones are the first above it.
 bool reaches_down_to(const Surface& surface, const SurfaceSamples& samples,
@@ -24,7 +25,7 @@ bool reaches_down_to(const Surface& surface, const SurfaceSamples& samples,
     height.push_back(plane.plane.dot(samples.raw[i].cast<double>().homogeneous()));
   }
   const Evidence& evidence = surface.evidence;
-  const double first = kFootSigmas * evidence.sigma + evidence.cell;
+  const double first = kFootSigmas * evidence.sigma + kFootCells * evidence.cell;
   return std::abs(quantile(height, kOutliers)) < first;
 }
 
