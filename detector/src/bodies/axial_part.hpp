@@ -6,6 +6,7 @@
 
 #include "boxes/face.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "surfaces/axis_tolerance.hpp"
 
 namespace quadrille {
 
@@ -27,17 +28,8 @@ struct AxialPart {
 /// without such an axis.
 std::optional<AxialPart> axial_part(const Detection& detection);
 
-/// How far axes may be apart that count as one: the angle between them [rad], and their distance as
-/// a share of the larger radius, to which the noise is added.
-struct AxisTolerance {
-  double skew, offset_share;
-};
-
 /// The tolerance for parts of one body: 9° and an eighth of the radius.
 inline constexpr AxisTolerance kOneAxis = {kMaxSkew, 0.125};
-/// The tolerance for small parts, which alone may have axes that are so far off: 20° and a quarter
-/// of the radius.
-inline constexpr AxisTolerance kPerhapsOneAxis = {0.35, 0.25};
 
 /// True if two parts share an axis and follow each other along it, such as the body and the neck of
 /// a bottle, or lie around each other, such as the walls of a mug.

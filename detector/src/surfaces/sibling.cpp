@@ -4,19 +4,13 @@
 #include <cmath>
 
 #include "fit/coaxial_fit.hpp"
+#include "surfaces/axis_tolerance.hpp"
 #include "surfaces/join.hpp"
 
 namespace quadrille {
 namespace {
 
-// How far the axes of pieces of a body may seem apart, as noise turns the axes of small ones: 20°,
-// and a quarter of the radius.
-constexpr double kMaxLean = 0.35, kMaxOffsetShare = 0.25;
-
-/// Pose of a surface's canonical frame, whose z axis is the axis.
-Eigen::Isometry3d pose_of(const Surface& surface) { return form_of(surface).X; }
-
-/// Foot of a point on an axis.
+/// Foot of a point on the z axis of a pose.
 Eigen::Vector3d foot_on(const Eigen::Isometry3d& X, const Eigen::Vector3d& p) {
   const Eigen::Vector3d z = X.linear().col(2);
   return X.translation() + z * z.dot(p - X.translation());
@@ -25,11 +19,12 @@ Eigen::Vector3d foot_on(const Eigen::Isometry3d& X, const Eigen::Vector3d& p) {
 /// True if a cylinder and a surface have about the same axis.
 bool about_one_axis(const Surface& cylinder, const Surface& surface) {
   if (!may_meet(cylinder.local, surface.local)) return false;
-  const Eigen::Isometry3d a = pose_of(cylinder), b = pose_of(surface);
+  const CanonicalForm form = form_of(cylinder);
+  const Eigen::Isometry3d a = form.X, b = form_of(surface).X;
   const Eigen::Vector3d& middle = surface.local.centre;
-  const double radius = cylinder.local.scale * form_of(cylinder).dimensions.front().second;
-  return std::abs(a.linear().col(2).dot(b.linear().col(2))) > std::cos(kMaxLean) &&
-         (foot_on(a, middle) - foot_on(b, middle)).norm() < kMaxOffsetShare * radius;
+  const double radius = cylinder.local.scale * form.dimensions.front().second;
+  return std::abs(a.linear().col(2).dot(b.linear().col(2))) > std::cos(kPerhapsOneAxis.skew) &&
+         (foot_on(a, middle) - foot_on(b, middle)).norm() < kPerhapsOneAxis.offset_share * radius;
 }
 
 /// True if the middle of a surface lies beyond the ends of another one along an axis.
@@ -48,7 +43,7 @@ bool lies_beyond(const Surface& surface, const Surface& other, const Eigen::Vect
 bool follow_each_other(const Surface& cylinder, const Surface& surface,
                        const SurfaceSamples& samples) {
   if (!about_one_axis(cylinder, surface)) return false;
-  const Eigen::Vector3d axis = pose_of(cylinder).linear().col(2);
+  const Eigen::Vector3d axis = form_of(cylinder).X.linear().col(2);
   return lies_beyond(cylinder, surface, axis, samples) &&
          lies_beyond(surface, cylinder, axis, samples);
 }

@@ -37,9 +37,6 @@ constexpr std::size_t kLeastSamples = 9;
 // Unknowns of an axis, which the pieces share, and of the crease between them.
 constexpr int kAxis = 4, kCrease = 1;
 
-/// Pose of a surface's canonical frame, whose z axis is the axis.
-Eigen::Isometry3d axis_of(const Surface& surface) { return form_of(surface).X; }
-
 /// The samples of a piece, and the points and result of its fit.
 struct Piece {
   std::vector<int> region;
@@ -61,7 +58,7 @@ class Division {
         samples_(samples),
         options_(options),
         flaw_(static_cast<float>(kFlawShare * surface.local.scale)),
-        X_CA_(axis_of(sibling ? *sibling : surface)),
+        X_CA_(form_of(sibling ? *sibling : surface).X),
         around_(samples_about(X_CA_, surface.region, samples, free)),
         loss_of_one_(loss_of_one()) {
     if (!sibling) return;

@@ -66,7 +66,7 @@ TEST_CASE("a lean that is not well known may need the friction of a larger one",
   ContactLine doubted = line(0.04, 0.2, 0.1);
   doubted.lean_std = 0.05;
   CHECK(doubted_friction(doubted) == Approx(std::tan(0.25)));
-  // What is published is that of the most likely lean, as is the quality.
+  // The published friction and quality are those of the lean itself, without its deviation.
   CHECK(friction_needed(doubted) == Approx(std::tan(0.2)));
   CHECK(grasp_epsilon(doubted, {}) == grasp_epsilon(line(0.04, 0.2, 0.1), {}));
   CHECK(doubted_friction(0.3, 0.0) == 0.3);
