@@ -164,8 +164,8 @@ void bind_outcomes(py::module_& module) {
       .def_readonly("bodies", &Look::bodies,
                     "Ids of the bodies that it would help, the largest gain first.")
       .def_readonly("gain", &Look::gain,
-                    "Sum over these of the share, 0 to 1, of the unknown space about them that it "
-                    "would show.");
+                    "Number of these that are expected to get a sure grasp by it: the sum of their "
+                    "chances.");
 }
 
 }  // namespace

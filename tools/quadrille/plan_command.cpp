@@ -204,7 +204,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
                 .plan_from_start(query);
           });
     }
-    planned.looks = propose_looks(planned, found.bodies, found.detections, cloud.viewpoint);
+    planned.looks = propose_looks(planned, found.bodies, found.detections, setup.gripper,
+                                  setup.options, cloud.viewpoint);
   }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.

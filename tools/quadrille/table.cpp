@@ -125,9 +125,11 @@ std::string look_table(const std::vector<Look>& looks) {
   for (const Look& look : looks) {
     const Eigen::Vector3d p = look.X_CK.translation(), ahead = look.X_CK.linear().col(2);
     text += fmt::format(
-        "  a view from {:.3f} {:.3f} {:.3f} along {:.2f} {:.2f} {:.2f} would show what is unknown "
-        "about {}\n",
-        p.x(), p.y(), p.z(), ahead.x(), ahead.y(), ahead.z(), fmt::join(look.bodies, ", "));
+        "  a view from {:.3f} {:.3f} {:.3f} along {:.2f} {:.2f} {:.2f} may help {}: in {:.0f} of "
+        "10 "
+        "such cases it gives a sure grasp\n",
+        p.x(), p.y(), p.z(), ahead.x(), ahead.y(), ahead.z(), fmt::join(look.bodies, ", "),
+        10.0 * look.gain / static_cast<double>(look.bodies.size()));
   }
   return text;
 }

@@ -1,19 +1,17 @@
 #include "quadrille/grasping/looks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "contacts/directions.hpp"
+#include "scene/view_chance.hpp"
 
 namespace quadrille {
 namespace {
 
-// Bodies whose best grasp has this score need no further view.
-constexpr double kSureScore = 0.8;
 // The hand needs to know the space up to this distance from a body [m]: about a finger's thickness,
 // its room, and the length that encloses the body.
 constexpr double kNeeded = 0.04;
@@ -30,42 +28,13 @@ constexpr double kMinElevation = 0.25;
 constexpr double kWall = 0.3;
 // Half the angle that the camera sees [rad], and distances at which depth cameras measure well [m].
 constexpr double kHalfView = 0.4, kMinDistance = 0.35, kMaxDistance = 0.9;
-// A view helps a body if it shows at least this share of the unknown space about it.
+// A view helps a body only if it shows at least this share of the unknown space about it.
 constexpr double kMinShare = 0.15;
+// A view is proposed to those bodies to which it more likely than not gives a sure grasp.
+constexpr double kMinChance = 0.5;
 
 bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
-}
-
-/// The best score of a body's grasps; 0 if it has none.
-double best_score(const GraspPlan& plan, const SceneBody& body) {
-  double best = 0.0;
-  for (const Grasp& grasp : plan.grasps) {
-    if (grasp.target == body.id || contains(body.parts, grasp.target)) {
-      best = std::max(best, grasp.score);
-    }
-  }
-  return best;
-}
-
-/// True for reasons that may turn out otherwise once more of the space, or of the body, is seen.
-bool is_doubt(Refusal why) {
-  constexpr std::array kDoubts = {
-      Refusal::kNoShape, Refusal::kSeenFromInside, Refusal::kUnmeasured, Refusal::kContradicted,
-      Refusal::kTarget,  Refusal::kCollision,      Refusal::kUnknown,    Refusal::kScore};
-  return std::find(kDoubts.begin(), kDoubts.end(), why) != kDoubts.end();
-}
-
-/// True if the plan has only doubtful grasps of the body, or refused the best of them for what was
-/// not seen.
-bool lacks_a_view(const GraspPlan& plan, const SceneBody& body) {
-  const double score = best_score(plan, body);
-  if (score > 0.0) return score < kSureScore;
-  return std::any_of(plan.targets.begin(), plan.targets.end(), [&](const TargetOutcome& outcome) {
-    const std::optional<Refusal> why = furthest(outcome.refusals);
-    return (outcome.target == body.id || contains(body.parts, outcome.target)) && why &&
-           is_doubt(*why);
-  });
 }
 
 /// The normal of the plane on which a body stands, or else of the largest plane; zero if there is
@@ -111,9 +80,10 @@ bool crosses(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& a, const Eig
   return first < last;
 }
 
-/// A body that lacks a grasp, and the unknown places about it.
+/// A body that lacks a sure grasp, what views may do for it, and the unknown places about it.
 struct Doubtful {
   const SceneBody* body = nullptr;
+  Prospect prospect;
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> unknown_C;
 };
@@ -122,7 +92,8 @@ struct Doubtful {
 class LookChooser {
  public:
   LookChooser(const GraspPlan& plan, const std::vector<SceneBody>& bodies,
-              const std::vector<Detection>& detections, const Eigen::Vector3d& viewpoint_C)
+              const std::vector<Detection>& detections, const Gripper& gripper,
+              const PlanOptions& options, const Eigen::Vector3d& viewpoint_C)
       : space_(*plan.space), bodies_(bodies), viewpoint_C_(viewpoint_C) {
     for (const Detection& d : detections) {
       const bool large = d.extent_Q.sizes().head<2>().maxCoeff() > kWall;
@@ -130,8 +101,10 @@ class LookChooser {
       walls_.emplace_back(d.X_CQ.linear().col(2), Eigen::Vector3d(d.X_CQ.translation()));
     }
     for (const SceneBody& body : bodies) {
-      if (!lacks_a_view(plan, body)) continue;
-      Doubtful doubtful{&body, up_of(body, detections), {}};
+      const Eigen::Vector3d up_C = up_of(body, detections);
+      const Prospect prospect = prospect_of(body, plan, gripper, options, up_C);
+      if (prospect.chance == 0.0) continue;
+      Doubtful doubtful{&body, prospect, up_C, {}};
       doubtful.unknown_C = unknown_about(body, doubtful.up_C);
       if (!doubtful.unknown_C.empty()) doubtful_.push_back(std::move(doubtful));
     }
@@ -140,22 +113,31 @@ class LookChooser {
   std::vector<Look> choose(int max_looks) {
     std::vector<Look> looks;
     while (static_cast<int>(looks.size()) < max_looks) {
-      std::optional<Look> best;
+      std::optional<Rated> best;
       for (const Doubtful& doubtful : doubtful_) {
         for (const Eigen::Vector3d& eye_C : eyes_about(doubtful)) {
-          Look look = look_from(eye_C, doubtful);
-          if (!look.bodies.empty() && (!best || look.gain > best->gain)) best = std::move(look);
+          Rated rated = look_from(eye_C, doubtful);
+          if (rated.look.bodies.empty()) continue;
+          if (!best || rated.expected > best->expected) best = std::move(rated);
         }
       }
       if (!best) break;
       std::erase_if(doubtful_,
-                    [&](const Doubtful& d) { return contains(best->bodies, d.body->id); });
-      looks.push_back(*std::move(best));
+                    [&](const Doubtful& d) { return contains(best->look.bodies, d.body->id); });
+      looks.push_back(std::move(best->look));
     }
+    std::stable_sort(looks.begin(), looks.end(),
+                     [](const Look& a, const Look& b) { return a.gain > b.gain; });
     return looks;
   }
 
  private:
+  struct Rated {
+    Look look;
+    /// Number of sure grasps that are expected, those of bodies for which it is unlikely included.
+    double expected = 0.0;
+  };
+
   /// Unknown places within a finger's reach of a body and above its support, evenly chosen.
   std::vector<Eigen::Vector3d> unknown_about(const SceneBody& body,
                                              const Eigen::Vector3d& up_C) const {
@@ -212,26 +194,37 @@ class LookChooser {
     });
   }
 
-  Look look_from(const Eigen::Vector3d& eye_C, const Doubtful& centre) const {
+  Rated look_from(const Eigen::Vector3d& eye_C, const Doubtful& centre) const {
     const Eigen::Vector3d ahead = (centre.body->X_CB.translation() - eye_C).normalized();
-    Look look;
+    Rated rated;
     std::vector<std::pair<double, int>> helped;
     for (const Doubtful& doubtful : doubtful_) {
-      int seen = 0;
-      for (const Eigen::Vector3d& p_C : doubtful.unknown_C) {
-        seen += (p_C - eye_C).normalized().dot(ahead) > std::cos(kHalfView) && sees(eye_C, p_C);
-      }
-      const double share =
-          static_cast<double>(seen) / static_cast<double>(doubtful.unknown_C.size());
-      if (share >= kMinShare) helped.emplace_back(-share, doubtful.body->id);
+      const double chance = chance_from(eye_C, ahead, doubtful);
+      rated.expected += chance;
+      if (chance >= kMinChance) helped.emplace_back(-chance, doubtful.body->id);
     }
     std::sort(helped.begin(), helped.end());
-    for (const auto& [share, id] : helped) {
-      look.gain -= share;
-      look.bodies.push_back(id);
+    for (const auto& [chance, id] : helped) {
+      rated.look.gain -= chance;
+      rated.look.bodies.push_back(id);
     }
-    look.X_CK = rounded(pose_at(eye_C, ahead, centre.up_C));
-    return look;
+    rated.look.X_CK = rounded(pose_at(eye_C, ahead, centre.up_C));
+    return rated;
+  }
+
+  /// The probability that a camera with this line of sight gives a body a sure grasp.
+  double chance_from(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& ahead,
+                     const Doubtful& doubtful) const {
+    int seen = 0;
+    for (const Eigen::Vector3d& p_C : doubtful.unknown_C) {
+      seen += (p_C - eye_C).normalized().dot(ahead) > std::cos(kHalfView) && sees(eye_C, p_C);
+    }
+    const double share = static_cast<double>(seen) / static_cast<double>(doubtful.unknown_C.size());
+    if (share < kMinShare) return 0.0;
+    const Eigen::Vector3d middle_C = doubtful.body->X_CB.translation();
+    const Eigen::Vector3d first = viewpoint_C_ - middle_C, now = eye_C - middle_C;
+    return chance_by_view(doubtful.prospect, share,
+                          std::atan2(first.cross(now).norm(), first.dot(now)));
   }
 
   bool sees(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& p_C) const {
@@ -270,10 +263,11 @@ class LookChooser {
 }  // namespace
 
 std::vector<Look> propose_looks(const GraspPlan& plan, const std::vector<SceneBody>& bodies,
-                                const std::vector<Detection>& detections,
-                                const Eigen::Vector3d& viewpoint_C, int max_looks) {
+                                const std::vector<Detection>& detections, const Gripper& gripper,
+                                const PlanOptions& options, const Eigen::Vector3d& viewpoint_C,
+                                int max_looks) {
   if (!plan.space || plan.space->states().empty()) return {};
-  return LookChooser(plan, bodies, detections, viewpoint_C).choose(max_looks);
+  return LookChooser(plan, bodies, detections, gripper, options, viewpoint_C).choose(max_looks);
 }
 
 }  // namespace quadrille

@@ -103,7 +103,8 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const Known& known
   if (advise) {
     plan.remedies = find_remedies(plan, things.cloud, things.detections, settings_.gripper, options,
                                   surroundings, query, things.boxes, things.bodies);
-    plan.looks = propose_looks(plan, things.bodies, things.detections, things.cloud.viewpoint);
+    plan.looks = propose_looks(plan, things.bodies, things.detections, settings_.gripper, options,
+                               things.cloud.viewpoint);
   }
   return plan;
 }

@@ -115,7 +115,7 @@ function factsOf(object) {
 function looksOf({ looks }) {
   if (looks.length === 0) return [];
   return [element("h2", { text: `Proposed views (${looks.length})` }), ...looks.map(({ bodies }) =>
-    element("p", { class: "look", text: `look from here: helps ${bodies.length === 1 ? "1 body" : `${bodies.length} bodies`}` }))];
+    element("p", { class: "look", text: `look from here: likely helps ${bodies.length === 1 ? "1 body" : `${bodies.length} bodies`}` }))];
 }
 
 function graspTable(grasps, view, chooseGrasp) {

@@ -7,7 +7,9 @@
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
+#include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/plan_options.hpp"
 
 namespace quadrille {
 
@@ -16,19 +18,25 @@ namespace quadrille {
 ///
 /// About each such body, places above its support are tried, as far from it as the sensor was, but
 /// between 0.35 and 0.9 m, where depth cameras measure well, and on the side of each wall from
-/// which that was seen. The unknown voxels within a finger's reach of the body are what the hand
-/// needs to know. A place shows those of them to which the line of sight is free: it crosses no
-/// occupied voxel and no body. The place that shows most comes first. The next ones are for the
-/// bodies that it does not help.
+/// which that was seen. A place shows those unknown voxels within a finger's reach of the body to
+/// which the line of sight is free: it crosses no occupied voxel and no body. How likely the view
+/// gives the body a sure grasp follows from the share of these, from the angle between both views,
+/// and from what refused its grasps: no view helps if the hand cannot close on the body even if
+/// this is two standard deviations smaller than it seems, or if the support is in its way. The
+/// place from which most sure grasps are expected is taken first, for all bodies to which it more
+/// likely than not gives one; the next ones are for the others.
 /// @param plan        a plan in frame C, with the space that it mapped
 /// @param bodies      the bodies of the plan
 /// @param detections  the detections of the plan, among which are the supports of the bodies
+/// @param gripper     the hand of the plan
+/// @param options     those of the plan
 /// @param viewpoint_C where the sensor was [m]
 /// @param max_looks   largest number of views
-/// @return views with the largest gain first; empty if no body lacks a grasp, or nothing is unknown
+/// @return views with the largest gain first; empty if no view is likely to help
 QUADRILLE_EXPORT std::vector<Look> propose_looks(const GraspPlan& plan,
                                                  const std::vector<SceneBody>& bodies,
                                                  const std::vector<Detection>& detections,
+                                                 const Gripper& gripper, const PlanOptions& options,
                                                  const Eigen::Vector3d& viewpoint_C,
                                                  int max_looks = 3);
 
