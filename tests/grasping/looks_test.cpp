@@ -47,7 +47,16 @@ struct Planned {
                                {{views.begin() + 1, views.end()}}, {}, found.boxes, found.bodies);
 
   std::vector<Look> looks(int max = 3) const {
-    return propose_looks(plan, found.bodies, found.detections, views.front().viewpoint, max);
+    return propose_looks(plan, found.bodies, found.detections, franka_hand(), options,
+                         views.front().viewpoint, max);
+  }
+  /// Takes all grasps away, as if nothing but this had refused them.
+  void refuse_all(Refusal why) {
+    plan.grasps.clear();
+    for (TargetOutcome& outcome : plan.targets) {
+      outcome.grasps = 0;
+      outcome.refusals = {{why, 3}};
+    }
   }
 };
 
@@ -89,9 +98,9 @@ std::size_t unknown_about(const Planned& planned, const Eigen::Vector3d& p_C) {
 TEST_CASE("a proposed view shows more of what is unknown than the first one", "[looks]") {
   const CanBeforeBox scene;
   const PointCloud first = scene.seen_from(Eigen::Isometry3d::Identity());
-  PlanOptions options = cautious();
-  options.min_score = 0.99;  // so that no grasp is sure
-  const Planned one{{first}, options};
+  const PlanOptions options = cautious();
+  Planned one{{first}, options};
+  one.refuse_all(Refusal::kUnknown);
   const std::vector<Look> looks = one.looks();
   REQUIRE_FALSE(looks.empty());
   const SceneBody& body = can_of(one, scene);
@@ -100,7 +109,8 @@ TEST_CASE("a proposed view shows more of what is unknown than the first one", "[
   };
   const auto look = std::find_if(looks.begin(), looks.end(), helps);
   REQUIRE(look != looks.end());
-  CHECK(look->gain > 0.0);
+  CHECK(look->gain > 0.5 * static_cast<double>(look->bodies.size()));
+  CHECK(look->gain < static_cast<double>(look->bodies.size()));
   // The camera stands above the table, looks at things from there, and is upright.
   const Eigen::Vector3d eye_W = scene.X_CW.inverse() * look->X_CK.translation();
   CHECK(eye_W.z() > 0.05);
@@ -120,9 +130,8 @@ TEST_CASE("a proposed view shows more of what is unknown than the first one", "[
 
 TEST_CASE("no view is proposed from behind a wall", "[looks]") {
   const CanBeforeBox scene;
-  PlanOptions options = cautious();
-  options.min_score = 0.99;
-  const Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, options};
+  Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, cautious()};
+  planned.refuse_all(Refusal::kUnknown);
   const std::vector<Look> open = planned.looks(1);
   REQUIRE(open.size() == 1);
   // A wall between that place and the first viewpoint, seen from there.
@@ -137,14 +146,15 @@ TEST_CASE("no view is proposed from behind a wall", "[looks]") {
   wall.extent_Q = {Eigen::Vector3d(-0.5, -0.5, 0.0), Eigen::Vector3d(0.5, 0.5, 0.0)};
   std::vector<Detection> detections = planned.found.detections;
   detections.push_back(wall);
-  const std::vector<Look> looks =
-      propose_looks(planned.plan, planned.found.bodies, detections, eye_C, 3);
+  const std::vector<Look> looks = propose_looks(planned.plan, planned.found.bodies, detections,
+                                                franka_hand(), planned.options, eye_C, 3);
   for (const Look& look : looks) {
     CHECK(n_C.dot(look.X_CK.translation() - wall.X_CQ.translation()) > 0.0);
   }
   wall.extent_Q = {Eigen::Vector3d(-0.05, -0.05, 0.0), Eigen::Vector3d(0.05, 0.05, 0.0)};
   detections.back() = wall;
-  CHECK(propose_looks(planned.plan, planned.found.bodies, detections, eye_C, 1)
+  CHECK(propose_looks(planned.plan, planned.found.bodies, detections, franka_hand(),
+                      planned.options, eye_C, 1)
             .front()
             .X_CK.isApprox(open.front().X_CK));
 }
@@ -159,24 +169,42 @@ TEST_CASE("no view is proposed if nothing lacks a grasp", "[looks]") {
   REQUIRE_FALSE(planned.plan.grasps.empty());
   for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.95;
   CHECK(planned.looks().empty());
-  // If all grasps of the body are doubtful, a view is proposed.
-  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.6;
+  // If the best grasp of the body is nearly sure, a view is proposed that may make it so.
+  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.75;
   CHECK(planned.looks().size() == 1);
+  // It seldom does so for a poor grasp.
+  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.6;
+  CHECK(planned.looks().empty());
 }
 
-TEST_CASE("what no view can mend gets none: a body that is too wide", "[looks]") {
+TEST_CASE("what no view is likely to mend gets none", "[looks]") {
   const CanBeforeBox scene;
   Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, cautious()};
-  planned.plan.grasps.clear();
-  for (TargetOutcome& outcome : planned.plan.targets) {
-    outcome.grasps = 0;
-    outcome.refusals = {{Refusal::kWidth, 3}};
+  for (const Refusal why :
+       {Refusal::kWidth, Refusal::kSupport, Refusal::kScore, Refusal::kReach, Refusal::kCaller}) {
+    planned.refuse_all(why);
+    CHECK(planned.looks().empty());
   }
-  CHECK(planned.looks().empty());
+  planned.refuse_all(Refusal::kWidth);
   for (TargetOutcome& outcome : planned.plan.targets) outcome.refusals[Refusal::kUnknown] = 1;
   CHECK_FALSE(planned.looks().empty());
   CHECK(planned.looks(1).size() == 1);
   CHECK(planned.looks(0).empty());
   planned.plan.space = nullptr;
+  CHECK(planned.looks().empty());
+}
+
+TEST_CASE("a body that is too wide even if it is smaller than it seems gets no view", "[looks]") {
+  const CanBeforeBox scene;
+  Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, cautious()};
+  planned.refuse_all(Refusal::kCollision);
+  const int id = can_of(planned, scene).id;
+  std::erase_if(planned.found.bodies, [&](const SceneBody& body) { return body.id != id; });
+  REQUIRE(planned.looks().size() == 1);
+  SceneBody& can = planned.found.bodies.front();
+  can.size = {0.1, 0.1, 0.12};
+  can.std = {0.02, 0.02, 0.02};
+  CHECK(planned.looks().size() == 1);
+  can.std = {0.002, 0.002, 0.02};
   CHECK(planned.looks().empty());
 }

@@ -163,9 +163,10 @@ void bind_outcomes(py::module_& module) {
           "Pose of the camera's frame K, (4, 4) [m]: z ahead, x along the rows of its image.")
       .def_readonly("bodies", &Look::bodies,
                     "Ids of the bodies that it would help, the largest gain first.")
-      .def_readonly("gain", &Look::gain,
-                    "Number of these that are expected to get a sure grasp by it: the sum of their "
-                    "chances.");
+      .def_readonly(
+          "gain", &Look::gain,
+          "Number of these that are expected to get a better grasp by it: the sum of their "
+          "chances.");
 }
 
 }  // namespace

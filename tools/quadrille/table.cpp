@@ -125,9 +125,8 @@ std::string look_table(const std::vector<Look>& looks) {
   for (const Look& look : looks) {
     const Eigen::Vector3d p = look.X_CK.translation(), ahead = look.X_CK.linear().col(2);
     text += fmt::format(
-        "  a view from {:.3f} {:.3f} {:.3f} along {:.2f} {:.2f} {:.2f} may help {}: in {:.0f} of "
-        "10 "
-        "such cases it gives a sure grasp\n",
+        "  a view from {:.3f} {:.3f} {:.3f} along {:.2f} {:.2f} {:.2f} may help {}; of 10 such "
+        "bodies {:.0f} get a better grasp by it\n",
         p.x(), p.y(), p.z(), ahead.x(), ahead.y(), ahead.z(), fmt::join(look.bodies, ", "),
         10.0 * look.gain / static_cast<double>(look.bodies.size()));
   }

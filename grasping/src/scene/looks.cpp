@@ -27,7 +27,7 @@ constexpr double kMinElevation = 0.25;
 // Planes larger than this are walls or tables, which the camera does not pass [m].
 constexpr double kWall = 0.3;
 // Half the angle that the camera sees [rad], and distances at which depth cameras measure well [m].
-constexpr double kHalfView = 0.4, kMinDistance = 0.35, kMaxDistance = 0.9;
+constexpr double kHalfView = 0.4, kMinDistance = 0.35, kMaxDistance = 0.75;
 // A view helps a body only if it shows at least this share of the unknown space about it.
 constexpr double kMinShare = 0.15;
 // A view is proposed to those bodies to which it more likely than not gives a sure grasp.
@@ -114,9 +114,9 @@ class LookChooser {
     std::vector<Look> looks;
     while (static_cast<int>(looks.size()) < max_looks) {
       std::optional<Rated> best;
-      for (const Doubtful& doubtful : doubtful_) {
-        for (const Eigen::Vector3d& eye_C : eyes_about(doubtful)) {
-          Rated rated = look_from(eye_C, doubtful);
+      for (const Centre& centre : centres()) {
+        for (const Eigen::Vector3d& eye_C : eyes_about(centre)) {
+          Rated rated = look_from(eye_C, centre);
           if (rated.look.bodies.empty()) continue;
           if (!best || rated.expected > best->expected) best = std::move(rated);
         }
@@ -132,6 +132,10 @@ class LookChooser {
   }
 
  private:
+  /// A place at which a camera may look, and the direction in which things stand up there.
+  struct Centre {
+    Eigen::Vector3d middle_C = Eigen::Vector3d::Zero(), up_C = Eigen::Vector3d::Zero();
+  };
   struct Rated {
     Look look;
     /// Number of sure grasps that are expected, those of bodies for which it is unlikely included.
@@ -170,18 +174,31 @@ class LookChooser {
     return some;
   }
 
-  /// Places from which a camera could look at a body: above its support, and in space that is not
+  /// The middles of all bodies that lack a sure grasp, and last the place between them.
+  std::vector<Centre> centres() const {
+    std::vector<Centre> all;
+    Eigen::Vector3d sum_C = Eigen::Vector3d::Zero();
+    double weight = 0.0;
+    for (const Doubtful& doubtful : doubtful_) {
+      all.push_back({doubtful.body->X_CB.translation(), doubtful.up_C});
+      sum_C += doubtful.prospect.chance * all.back().middle_C;
+      weight += doubtful.prospect.chance;
+    }
+    if (all.size() > 1) all.push_back({sum_C / weight, all.front().up_C});
+    return all;
+  }
+
+  /// Places from which a camera could look at a centre: above its support, and in space that is not
   /// known to be occupied.
-  std::vector<Eigen::Vector3d> eyes_about(const Doubtful& doubtful) const {
-    const Eigen::Vector3d middle_C = doubtful.body->X_CB.translation();
-    const Eigen::Vector3d to_eye = viewpoint_C_ - middle_C;
+  std::vector<Eigen::Vector3d> eyes_about(const Centre& centre) const {
+    const Eigen::Vector3d to_eye = viewpoint_C_ - centre.middle_C;
     const double distance = std::clamp(to_eye.norm(), kMinDistance, kMaxDistance);
-    const Eigen::Vector3d up = doubtful.up_C.isZero() ? to_eye.normalized() : doubtful.up_C;
+    const Eigen::Vector3d up = centre.up_C.isZero() ? to_eye.normalized() : centre.up_C;
     std::vector<Eigen::Vector3d> eyes;
     for (const Eigen::Vector3d& half : half_sphere(kDirections)) {
       const Eigen::Vector3d direction = half.dot(up) < 0.0 ? Eigen::Vector3d(-half) : half;
       if (direction.dot(up) < std::sin(kMinElevation)) continue;
-      const Eigen::Vector3d eye = middle_C + distance * direction;
+      const Eigen::Vector3d eye = centre.middle_C + distance * direction;
       if (space_.at(eye) != Voxel::kOccupied && before_walls(eye)) eyes.push_back(eye);
     }
     return eyes;
@@ -194,8 +211,8 @@ class LookChooser {
     });
   }
 
-  Rated look_from(const Eigen::Vector3d& eye_C, const Doubtful& centre) const {
-    const Eigen::Vector3d ahead = (centre.body->X_CB.translation() - eye_C).normalized();
+  Rated look_from(const Eigen::Vector3d& eye_C, const Centre& centre) const {
+    const Eigen::Vector3d ahead = (centre.middle_C - eye_C).normalized();
     Rated rated;
     std::vector<std::pair<double, int>> helped;
     for (const Doubtful& doubtful : doubtful_) {
@@ -224,7 +241,8 @@ class LookChooser {
     const Eigen::Vector3d middle_C = doubtful.body->X_CB.translation();
     const Eigen::Vector3d first = viewpoint_C_ - middle_C, now = eye_C - middle_C;
     return chance_by_view(doubtful.prospect, share,
-                          std::atan2(first.cross(now).norm(), first.dot(now)));
+                          std::atan2(first.cross(now).norm(), first.dot(now)),
+                          doubtful.up_C.isZero() ? 1.0 : doubtful.up_C.dot(now.normalized()));
   }
 
   bool sees(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& p_C) const {

@@ -22,9 +22,11 @@ constexpr double kUpright = std::numbers::sqrt2 / 2.0;
 
 // Shares of bodies that got a grasp by at least one view, by what refused the candidates that got
 // furthest. Most hands that meet things meet the body itself where its fit is poor, or another fit
-// to the same thing; a second view corrects that: of 24 such bodies it did so for 19. It did for 7
-// of 16 that seem too wide for the hand.
-constexpr double kMetThings = 0.8, kMetThingsTooWide = 0.4;
+// to the same thing; a second view corrects that, but not if the body is too wide for the hand or
+// mostly too low for it.
+constexpr double kMetThings = 0.8, kMetThingsAndMore = 0.4;
+// Hands that met nothing but unknown space, where that is an obstacle.
+constexpr double kMetUnknown = 0.8;
 // Candidates with a low score: 24 of 58 bodies. Many are strays of the sensor, for which no view
 // helps. The support in the way: 3 of 18.
 constexpr double kLowScore = 0.35, kMetSupport = 0.15;
@@ -34,12 +36,13 @@ constexpr double kNotSeen = 0.5;
 // of 8; below, for 21 of 25, but by few of their views, so that a view is worth less there.
 constexpr double kNearlySureScore = 0.7, kNearlySure = 0.9, kUnsure = 0.55;
 
-// Log odds that a view gives a body a grasp which some view gives: with none of the unknown space
-// and from the same direction; how much they grow with the share that is seen up to a half, and
-// with the angle between the views up to 60°. A view of more than that shows another side, and is
-// of no more help. They were fitted to 234 pairs of a body and a view.
-constexpr double kNoChange = -2.4, kByShare = 1.9, kByAngle = 1.9;
-constexpr double kEnoughShare = 0.5, kEnoughAngle = std::numbers::pi / 3.0;
+// Log odds that a view gives a body a grasp which some view gives: with none of the unknown space,
+// from the same direction and along the support; how much they grow with the share that is seen up
+// to a half, with the angle between the views up to 60°, and with the sine of the angle to the
+// support up to 40°. A view of more than that shows another side, and is of no more help. They were
+// fitted to 234 pairs of a body and a view.
+constexpr double kNoChange = -3.0, kByShare = 1.9, kByAngle = 1.9, kByHeight = 0.7;
+constexpr double kEnoughShare = 0.5, kEnoughAngle = std::numbers::pi / 3.0, kEnoughHeight = 0.64;
 // To make a doubtful grasp sure is harder.
 constexpr double kHarder = 0.6;
 
@@ -57,24 +60,39 @@ double best_score(const GraspPlan& plan, const SceneBody& body) {
   return best;
 }
 
-/// Returns what refused those candidates of a body that got furthest, over all its parts.
-std::optional<Refusal> furthest_of(const GraspPlan& plan, const SceneBody& body) {
-  std::optional<Refusal> last;
+/// Returns the refused candidates of all parts of a body.
+RefusalCounts refusals_of(const GraspPlan& plan, const SceneBody& body) {
+  RefusalCounts all;
   for (const TargetOutcome& outcome : plan.targets) {
-    const std::optional<Refusal> why = furthest(outcome.refusals);
-    if (is_of(outcome.target, body) && why && (!last || *why > *last)) last = why;
+    if (!is_of(outcome.target, body)) continue;
+    for (const auto& [why, count] : outcome.refusals) all[why] += count;
   }
-  return last;
+  return all;
+}
+
+int count_of(const RefusalCounts& refusals, Refusal why) {
+  const auto found = refusals.find(why);
+  return found == refusals.end() ? 0 : found->second;
+}
+
+/// Returns true if the support was in the way of more candidates than things were.
+bool mostly_meets_support(const RefusalCounts& refusals) {
+  return count_of(refusals, Refusal::kSupport) > count_of(refusals, Refusal::kContradicted) +
+                                                     count_of(refusals, Refusal::kTarget) +
+                                                     count_of(refusals, Refusal::kCollision);
 }
 
 /// Returns the chance of a body without a grasp.
-double chance_without_grasp(Refusal why, bool fits) {
-  switch (why) {
+double chance_without_grasp(const RefusalCounts& refusals, bool fits) {
+  const std::optional<Refusal> why = furthest(refusals);
+  if (!why) return 0.0;
+  switch (*why) {
     case Refusal::kContradicted:
     case Refusal::kTarget:
     case Refusal::kCollision:
+      return fits && !mostly_meets_support(refusals) ? kMetThings : kMetThingsAndMore;
     case Refusal::kUnknown:
-      return fits ? kMetThings : kMetThingsTooWide;
+      return kMetUnknown;
     case Refusal::kNoShape:
     case Refusal::kSeenFromInside:
     case Refusal::kUnmeasured:
@@ -107,15 +125,15 @@ Prospect prospect_of(const SceneBody& body, const GraspPlan& plan, const Gripper
   const double score = best_score(plan, body);
   if (score >= kSureScore) return {};
   if (score > 0.0) return {score >= kNearlySureScore ? kNearlySure : kUnsure, true};
-  const std::optional<Refusal> why = furthest_of(plan, body);
-  if (!why) return {};
-  return {chance_without_grasp(*why, may_fit(body, gripper, options, up_C)), false};
+  const bool fits = may_fit(body, gripper, options, up_C);
+  return {chance_without_grasp(refusals_of(plan, body), fits), false};
 }
 
-double chance_by_view(const Prospect& prospect, double share, double angle) {
+double chance_by_view(const Prospect& prospect, double share, double angle, double height) {
   const double log_odds = kNoChange - (prospect.has_grasp ? kHarder : 0.0) +
                           kByShare * std::min(share / kEnoughShare, 1.0) +
-                          kByAngle * std::min(angle / kEnoughAngle, 1.0);
+                          kByAngle * std::min(angle / kEnoughAngle, 1.0) +
+                          kByHeight * std::clamp(height / kEnoughHeight, 0.0, 1.0);
   return prospect.chance / (1.0 + std::exp(-log_odds));
 }
 

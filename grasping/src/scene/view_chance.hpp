@@ -32,6 +32,7 @@ bool may_fit(const SceneBody& body, const Gripper& gripper, const PlanOptions& o
 /// Returns the probability that one view gives a body what the prospect says.
 /// @param share  of the unknown space about the body that the view shows
 /// @param angle  between the lines of sight to the body of this view and of the first one [rad]
-double chance_by_view(const Prospect& prospect, double share, double angle);
+/// @param height  sine of the angle between the line of sight and the support
+double chance_by_view(const Prospect& prospect, double share, double angle, double height);
 
 }  // namespace quadrille

@@ -53,7 +53,7 @@ struct Look {
   Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
   /// Ids of the bodies that it would help, those with the largest gain first.
   std::vector<int> bodies;
-  /// Number of these bodies that are expected to get a sure grasp by it: the sum of the chances.
+  /// Number of these bodies that are expected to get a better grasp by it: the sum of the chances.
   double gain = 0.0;
 };
 
