@@ -22,10 +22,12 @@ constexpr double kUpright = std::numbers::sqrt2 / 2.0;
 
 // Shares of bodies that got a grasp by at least one view, by what refused the candidates that got
 // furthest. Most hands that meet things meet the body itself where its fit is poor, or another fit
-// to the same thing; a second view corrects that, but not if the body is too wide for the hand or
-// mostly too low for it.
+// to the same thing, and a second view corrects that: it did so for 12 of 16 bodies. It seldom does
+// if the body is too wide for the hand or mostly too low for it: by a quarter of all views, in
+// place of half of them.
 constexpr double kMetThings = 0.8, kMetThingsAndMore = 0.4;
-// Hands that met nothing but unknown space, where that is an obstacle.
+// Hands that met nothing but unknown space, where that is an obstacle: by the views that were
+// proposed with this number, 24 of 37 bodies got a grasp, as many as it says.
 constexpr double kMetUnknown = 0.8;
 // Candidates with a low score: 24 of 58 bodies. Many are strays of the sensor, for which no view
 // helps. The support in the way: 3 of 18.

@@ -16,15 +16,15 @@ namespace quadrille {
 /// Proposes views that would help the bodies of which a plan has no grasp, or only one that is
 /// doubtful.
 ///
-/// About each such body, places above its support are tried, as far from it as the sensor was, but
-/// between 0.35 and 0.9 m, where depth cameras measure well, and on the side of each wall from
-/// which that was seen. A place shows those unknown voxels within a finger's reach of the body to
-/// which the line of sight is free: it crosses no occupied voxel and no body. How likely the view
-/// gives the body a sure grasp follows from the share of these, from the angle between both views,
-/// and from what refused its grasps: no view helps if the hand cannot close on the body even if
-/// this is two standard deviations smaller than it seems, or if the support is in its way. The
-/// place from which most sure grasps are expected is taken first, for all bodies to which it more
-/// likely than not gives one; the next ones are for the others.
+/// About each such body, and about the place between all of them, places above the support are
+/// tried, as far away as the sensor was, but between 0.35 and 0.75 m, where depth cameras measure
+/// well, and on the side of each wall from which that was seen. A place shows those unknown voxels
+/// within a finger's reach of a body to which the line of sight is free: it crosses no occupied
+/// voxel and no body. How likely the view gives the body a grasp, or a sure one in place of a
+/// doubtful one, follows from the share of these, from the angle between both views, from the
+/// height of the place, and from what refused the body's grasps. The place from which most grasps
+/// are expected is taken first, for all bodies to which it more likely than not gives one; the next
+/// ones are for the others.
 /// @param plan        a plan in frame C, with the space that it mapped
 /// @param bodies      the bodies of the plan
 /// @param detections  the detections of the plan, among which are the supports of the bodies
