@@ -97,7 +97,7 @@ TEST_CASE("points too far away for a likely hold are not searched, and the plan 
   Ball far = ball_on_table(0.0, 0.0, 0.03);
   far.p_C *= 2.0 / far.p_C.norm();
   PlanOptions options = with(UnknownPolicy::kFree);
-  options.min_score = 0.5;
+  options.min_score = 0.6;
   const GraspPlan none = plan_lumps({far}, {lump_of(far)}, options);
   CHECK(none.grasps.empty());
   REQUIRE(none.targets.size() == 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contacts/score_calibration.hpp"
 #include "contacts/success_weights.hpp"
 
 namespace quadrille {
@@ -14,7 +15,7 @@ double success_probability(const GraspTerms& terms) {
     // A term that is NaN counts as the worst.
     log_odds += kSuccessWeights[n++] * (term > 0.0 ? std::min(term, 1.0) : 0.0);
   });
-  return 1.0 / (1.0 + std::exp(-log_odds));
+  return 1.0 / (1.0 + std::exp(-kCalibrationSlope * log_odds - kCalibrationOffset));
 }
 
 }  // namespace quadrille

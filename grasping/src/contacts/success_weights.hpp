@@ -5,10 +5,10 @@
 
 namespace quadrille {
 
-/// The log odds of success of a grasp whose terms are all zero.
+/// The log odds of success of a grasp whose terms are all zero, before they are calibrated.
 inline constexpr double kSuccessBias = -8.087;
 
-/// The weights of the GraspTerms in the log odds of success, in the order of GraspTerms::visit().
+/// The weights of the GraspTerms in these log odds, in the order of GraspTerms::visit().
 inline constexpr std::array kSuccessWeights = {
     0.2078,   // friction
     0.05000,  // reserve

@@ -13,7 +13,7 @@ namespace quadrille {
 namespace {
 
 // Bodies whose best grasp has this score need no further view.
-constexpr double kSureScore = 0.8;
+constexpr double kSureScore = 0.9;
 // Sizes are known to so many standard deviations; this covers 95 % of cases.
 constexpr double kSigmas = 2.0;
 // A body is upright along the axes that are nearer to the vertical than 45°. The hand cannot close
@@ -36,7 +36,7 @@ constexpr double kLowScore = 0.35, kMetSupport = 0.15;
 constexpr double kNotSeen = 0.5;
 // The same for bodies with a grasp that a view is to make sure. From this score on it did so for 7
 // of 8; below, for 21 of 25, but by few of their views, so that a view is worth less there.
-constexpr double kNearlySureScore = 0.7, kNearlySure = 0.9, kUnsure = 0.55;
+constexpr double kNearlySureScore = 0.82, kNearlySure = 0.9, kUnsure = 0.55;
 
 // Log odds that a view gives a body a grasp which some view gives: with none of the unknown space,
 // from the same direction and along the support; how much they grow with the share that is seen up

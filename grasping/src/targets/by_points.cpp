@@ -34,7 +34,7 @@ bool avoids_unknown(UnknownPolicy unknown) {
 /// Tells after a round of orientations whether further ones are worth trying: only if the
 /// fingers of a hold that is likely enough have space to close, after two rounds its palm, too. Of
 /// 698 targets in simulated and real scenes this rule gave up those that took a third of the work,
-/// and among them 5 of the 125 that have grasps; each had a single one, with a score below .6.
+/// and among them 5 of the 125 that have grasps; each had a single one, with a score below .72.
 bool is_worth_more(int rounds, std::span<const Hold> found, const TargetTask& task,
                    const HandTrials& trials) {
   return std::any_of(found.begin(), found.end(), [&](const Hold& hold) {

@@ -5,6 +5,7 @@
 
 #include "contacts/pad_cover.hpp"
 #include "contacts/quality.hpp"
+#include "contacts/score_calibration.hpp"
 #include "contacts/success.hpp"
 
 namespace quadrille {
@@ -30,8 +31,8 @@ double flat_share(const Attempt& attempt, const TargetTask& task) {
 }
 
 // Beyond this distance [m], where cameras see things coarsely, the best hold by points lost more
-// than this against one with perfect contacts, in log odds: of 148 targets in simulated and real
-// scenes one lost 0.97, one 1.10, and all others 1.2 or more.
+// than this against one with perfect contacts, in the log odds that the weights give: of 148
+// targets in simulated and real scenes one lost 0.97, one 1.10, and all others 1.2 or more.
 constexpr double kFarForPoints = 1.2, kLostFarAway = 1.15;
 
 double log_odds(double probability) { return std::log(probability / (1.0 - probability)); }
@@ -92,7 +93,8 @@ bool near_enough_for_points(const Target& target, const SceneParts& parts, doubl
   if (distance < kFarForPoints) return true;
   GraspTerms terms = best_terms(target, parts);
   terms.shape = 0.0;
-  return log_odds(success_probability(terms)) - kLostFarAway >= log_odds(min_score);
+  const double lost = kCalibrationSlope * kLostFarAway;
+  return log_odds(success_probability(terms)) - lost >= log_odds(min_score);
 }
 
 }  // namespace quadrille

@@ -2,14 +2,25 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 
+#include "contacts/score_calibration.hpp"
 #include "contacts/success_weights.hpp"
+#include "grasping/scenes.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
 
 namespace {
+
+/// The log odds that the weights alone give.
+double weighted_sum(const GraspTerms& terms) {
+  double sum = kSuccessBias;
+  std::size_t n = 0;
+  GraspTerms::visit(terms, [&](const char*, double term) { sum += kSuccessWeights[n++] * term; });
+  return sum;
+}
 
 GraspTerms all(double value) {
   GraspTerms terms;
@@ -19,11 +30,26 @@ GraspTerms all(double value) {
 
 }  // namespace
 
-TEST_CASE("the probability of success is the logistic function of the weighted terms",
+TEST_CASE("the log odds of success are a slope times the weighted terms plus an offset",
           "[grasp][success]") {
-  double log_odds = kSuccessBias;
-  for (const double weight : kSuccessWeights) log_odds += 0.5 * weight;
-  CHECK(success_probability(all(0.5)) == Approx(1.0 / (1.0 + std::exp(-log_odds))));
+  for (const double value : {0.0, 0.25, 0.5, 1.0}) {
+    const double p = success_probability(all(value));
+    CHECK(std::log(p / (1.0 - p)) ==
+          Approx(kCalibrationSlope * weighted_sum(all(value)) + kCalibrationOffset));
+  }
+}
+
+TEST_CASE("the calibration keeps the order of grasps that the weights give", "[grasp][success]") {
+  std::mt19937 random(1);
+  for (int n = 0; n < 1000; ++n) {
+    GraspTerms one, other;
+    GraspTerms::visit(one,
+                      [&](const char*, double& term) { term = test::uniform(random, 0.0, 1.0); });
+    GraspTerms::visit(other,
+                      [&](const char*, double& term) { term = test::uniform(random, 0.0, 1.0); });
+    CHECK((success_probability(one) < success_probability(other)) ==
+          (weighted_sum(one) < weighted_sum(other)));
+  }
 }
 
 TEST_CASE("each term but the distance makes a grasp more likely to succeed", "[grasp][success]") {

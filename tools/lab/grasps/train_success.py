@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Learns the weights of success_probability() and prints contacts/success_weights.hpp.
+"""Learns the weights of success_probability() and prints contacts/success_weights.hpp; calibration.py comes after it.
 
     train_success.py ROWS.json… >grasping/src/contacts/success_weights.hpp
 
@@ -28,10 +28,10 @@ HEADER = '''// Written by tools/lab/grasps/train_success.py.
 
 namespace quadrille {{
 
-/// The log odds of success of a grasp whose terms are all zero.
+/// The log odds of success of a grasp whose terms are all zero, before they are calibrated.
 inline constexpr double kSuccessBias = {bias:.4g};
 
-/// The weights of the GraspTerms in the log odds of success, in the order of GraspTerms::visit().
+/// The weights of the GraspTerms in these log odds, in the order of GraspTerms::visit().
 inline constexpr std::array kSuccessWeights = {{
 {weights}
 }};

@@ -69,7 +69,7 @@ struct PlanOptions {
   double min_wall = 0.002;
   double max_wall = 0.008;
   bool clear_above = true;
-  double min_score = 0.5;
+  double min_score = 0.61;
   int per_target = 0;
   int max_grasps = 50;
   int max_detections = 256;
