@@ -170,10 +170,10 @@ TEST_CASE("no view is proposed if nothing lacks a grasp", "[looks]") {
   for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.95;
   CHECK(planned.looks().empty());
   // If the best grasp of the body is nearly sure, a view is proposed that may make it so.
-  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.75;
+  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.86;
   CHECK(planned.looks().size() == 1);
   // It seldom does so for a poor grasp.
-  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.6;
+  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.72;
   CHECK(planned.looks().empty());
 }
 

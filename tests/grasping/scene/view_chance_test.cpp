@@ -112,8 +112,8 @@ TEST_CASE("no view is likely to mend a low score, and none mends what the hand c
 TEST_CASE("a sure grasp needs no view, and a nearly sure one is the likeliest to become sure",
           "[looks][chance]") {
   const SceneBody can = can_of(0.06, 0.002);
-  CHECK(prospect_of(can, with_score(0.8)).chance == 0.0);
-  const Prospect nearly = prospect_of(can, with_score(0.79)),
+  CHECK(prospect_of(can, with_score(0.9)).chance == 0.0);
+  const Prospect nearly = prospect_of(can, with_score(0.89)),
                  poor = prospect_of(can, with_score(0.5));
   CHECK(nearly.has_grasp);
   CHECK(poor.has_grasp);
@@ -123,8 +123,8 @@ TEST_CASE("a sure grasp needs no view, and a nearly sure one is the likeliest to
   SceneBody other = can;
   other.id = 7;
   other.parts = {7};
-  CHECK(prospect_of(other, with_score(0.8)).chance == 0.0);
-  CHECK_FALSE(prospect_of(other, with_score(0.8)).has_grasp);
+  CHECK(prospect_of(other, with_score(0.9)).chance == 0.0);
+  CHECK_FALSE(prospect_of(other, with_score(0.9)).has_grasp);
 }
 
 TEST_CASE("a view is worth more the more it shows, the farther aside and the higher it is",
