@@ -123,18 +123,6 @@ PlaneStop stop_from(const BoxDraft& draft, const std::vector<const Detection*>& 
   return stop_at_plane(corners, draft.out_C(axis, upper), planes, slack);
 }
 
-/// Moves an end onto a parallel plane next to it. The outline of a face alone cannot tell the face
-/// from the plane that it touches.
-BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnd end,
-              int axis, int upper) {
-  const PlaneStop stop = stop_from(draft, planes, end.at, axis, upper, draft.skin());
-  if (!stop.parallel || std::abs(stop.distance) > draft.skin()) return end;
-  end.at += stop.distance;
-  end.rests = true;
-  end.std = std::max(kPlaneStd, 0.5 * draft.max_tolerance() / 3.0);
-  return end;
-}
-
 /// Finds an end, and adds the outlines that show it to a list.
 BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& planes,
                 const FaceEdges& edges, int axis, int upper, std::vector<Outline>* shown) {
@@ -143,7 +131,7 @@ BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& plan
   const BoxEnd end = outline_end(draft, outlines, axis, upper);
   if (!end.seen) return end;
   shown->insert(shown->end(), outlines.begin(), outlines.end());
-  return rested(draft, planes, end, axis, upper);
+  return rested(draft, planes, end, axis, upper, draft.skin());
 }
 
 /// How far an end may move outward before the box would hide points that were seen [m].
@@ -175,6 +163,16 @@ BoxEnd bounded(const BoxDraft& draft, const std::vector<const Detection*>& plane
 }
 
 }  // namespace
+
+BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnd end,
+              int axis, int upper, double within) {
+  const PlaneStop stop = stop_from(draft, planes, end.at, axis, upper, draft.skin());
+  if (!stop.parallel || std::abs(stop.distance) > within) return end;
+  end.at += stop.distance;
+  end.rests = true;
+  end.std = std::max(kPlaneStd, 0.5 * draft.max_tolerance() / 3.0);
+  return end;
+}
 
 SeenEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
   SeenEnds seen;

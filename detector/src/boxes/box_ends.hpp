@@ -11,6 +11,9 @@ namespace quadrille {
 
 /// No side of a box is longer [m], whereas tables, walls and floors are.
 inline constexpr double kMaxSide = 0.7;
+/// If the distance of two ends is uncertain by more than this share of it, the faces belong to
+/// several things, to a curved or thin one, or to a step that noise feigns.
+inline constexpr double kMaxDoubt = 0.1;
 
 /// One end of one side of a box.
 struct BoxEnd {
@@ -38,6 +41,12 @@ struct SeenEnds {
 /// the outlines rest.
 /// @param planes  all detected planes except the faces
 SeenEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes);
+
+/// Moves an end onto a parallel plane next to it. The outline of a face alone cannot tell the face
+/// from the plane that it touches.
+/// @param within  the most by which the end may move [m]
+BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnd end,
+              int axis, int upper, double within);
 
 /// Bounds the unseen ends: they may neither hide points that were seen nor cross a plane.
 BoxEnds bounded(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnds ends);

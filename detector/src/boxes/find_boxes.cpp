@@ -199,15 +199,23 @@ class BoxMaker {
 
   /// The box of some faces, if they make one.
   std::optional<Box> box_of(const std::vector<const Face*>& faces) const {
-    std::optional<BoxDraft> draft;
-    if (faces.size() == 1) {
-      draft = draft_of(faces, sight_);
-      if (!is_rectangular(*draft)) return std::nullopt;
-    }
     const std::vector<const Detection*> others = planes_beside(faces);
-    std::optional<Box> box = completed_box(faces, draft ? draft->R_CA : box_axes(faces), others);
-    if (!box) box = measure_box(draft ? *draft : draft_of(faces, sight_), others);
+    if (faces.size() == 1) return box_of_face(faces, others);
+    std::optional<Box> box = completed_box(faces, box_axes(faces), others);
+    if (!box) box = measure_box(draft_of(faces, sight_), others);
     return box;
+  }
+
+  /// The box of a face that no other known face meets.
+  std::optional<Box> box_of_face(const std::vector<const Face*>& face,
+                                 const std::vector<const Detection*>& others) const {
+    const BoxDraft draft = draft_of(face, sight_);
+    const Rectangle rectangle = rectangle_of(draft);
+    if (rectangle == Rectangle::kNone) return std::nullopt;
+    if (rectangle == Rectangle::kSharp) {
+      if (auto box = completed_box(face, draft.R_CA, others)) return box;
+    }
+    return box_of_lone_face(draft, rectangle, others);
   }
 
   /// The box of those faces of a seed that are flat, free and meet at right angles, if there are

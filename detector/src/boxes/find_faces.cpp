@@ -12,9 +12,6 @@
 namespace quadrille {
 namespace {
 
-// The normal of a face that was not detected as a plane turns across it by no more than this [rad].
-// Worn boxes bulge; the strip of a cylinder that passes for a plane turns by .7 or more.
-constexpr double kMaxTurn = 0.5;
 // A face is fitted at most so often to the points that its last fit explains, as long as its area
 // grows by this factor.
 constexpr int kMaxRefits = 6;
@@ -40,33 +37,6 @@ FacePatch patch_of(const Detection& plane) {
 /// Area that the points stand for, however far they are thinned [m²].
 double area_of(const Face& face) {
   return static_cast<double>(face.points_C.size()) * face.pitch * face.pitch / face.cosine;
-}
-
-/// How far the normal turns across a face [rad], by a quadratic fit to its points:
-/// nearly 0 on a flat face, about 1 on the strip of a cylinder that is thin enough to pass for a
-/// plane.
-double turn_across(const MeasuredFace& measured) {
-  const Eigen::Vector3d n = measured.face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
-  HeightFit fit;
-  std::vector<Eigen::Vector2d> places;
-  for (const Eigen::Vector3d& p : measured.measured_C) {
-    const Eigen::Vector3d x = p - measured.face.middle_C;
-    places.emplace_back(x.dot(e1), x.dot(e2));
-    fit.add(places.back().x(), places.back().y(), measured.face.height(p));
-  }
-  const HeightFit::Vector6 a = fit.factor().solve(fit.b);
-  Eigen::Matrix2d H;
-  H << 2 * a[3], a[4], a[4], 2 * a[5];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
-  double turn = 0.0;
-  for (int k = 0; k < 2; ++k) {
-    std::vector<double> x;
-    x.reserve(places.size());
-    for (const Eigen::Vector2d& place : places) x.push_back(eigen.eigenvectors().col(k).dot(place));
-    const double low = quantile(x, kTrimmed), width = quantile(x, 1.0 - kTrimmed) - low;
-    turn = std::max(turn, std::abs(eigen.eigenvalues()[k]) * width);
-  }
-  return turn;
 }
 
 /// A face after it was fitted to its own points again and again, as long as it grows; nullopt if
@@ -100,12 +70,37 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
   const std::vector<MeasuredFace> found = finder.faces_in(patch, sigma);
   if (found.empty()) return std::nullopt;
   std::optional<MeasuredFace> measured = grown(found.front(), patch.X_CP.linear(), finder);
-  if (!measured || turn_across(*measured) > kMaxTurn) return std::nullopt;
+  if (!measured || turn_across(measured->face, measured->measured_C) > kMaxTurn)
+    return std::nullopt;
   measured->face.is_patch = true;
   return std::move(measured->face);
 }
 
 }  // namespace
+
+double turn_across(const Face& face, const std::vector<Eigen::Vector3d>& measured_C) {
+  const Eigen::Vector3d n = face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+  HeightFit fit;
+  std::vector<Eigen::Vector2d> places;
+  for (const Eigen::Vector3d& p : measured_C) {
+    const Eigen::Vector3d x = p - face.middle_C;
+    places.emplace_back(x.dot(e1), x.dot(e2));
+    fit.add(places.back().x(), places.back().y(), face.height(p));
+  }
+  const HeightFit::Vector6 a = fit.factor().solve(fit.b);
+  Eigen::Matrix2d H;
+  H << 2 * a[3], a[4], a[4], 2 * a[5];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
+  double turn = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    std::vector<double> x;
+    x.reserve(places.size());
+    for (const Eigen::Vector2d& place : places) x.push_back(eigen.eigenvectors().col(k).dot(place));
+    const double low = quantile(x, kTrimmed), width = quantile(x, 1.0 - kTrimmed) - low;
+    turn = std::max(turn, std::abs(eigen.eigenvalues()[k]) * width);
+  }
+  return turn;
+}
 
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   std::optional<MeasuredFace> measured = measured_face_at(patch, sigma, sight);
@@ -115,7 +110,8 @@ std::optional<Face> face_at(const FacePatch& patch, double sigma, const Directio
 
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
   std::optional<MeasuredFace> measured = measured_face_at(flat.patch, flat.sigma, sight);
-  if (!measured || turn_across(*measured) > kMaxTurn) return std::nullopt;
+  if (!measured || turn_across(measured->face, measured->measured_C) > kMaxTurn)
+    return std::nullopt;
   return std::move(measured->face);
 }
 

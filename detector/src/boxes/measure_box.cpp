@@ -9,6 +9,7 @@
 #include "boxes/box_ends.hpp"
 #include "boxes/rounded_box.hpp"
 #include "boxes/sight_lines.hpp"
+#include "boxes/upright_face.hpp"
 
 namespace quadrille {
 namespace {
@@ -16,11 +17,11 @@ namespace {
 // Least share of each face, and of its corners, that was seen to be there; hidden parts do not
 // count. A disc fills no corners.
 constexpr double kMinFilled = 0.7;
+// Least share of the corners of an upright face, whose edges may be worn. Of the strip of a
+// cylinder that passes for a plane less was seen.
+constexpr double kMinWornCorners = 0.55;
 // Size of a face's corners as a share of its sides.
 constexpr double kCorner = 0.12;
-// If the distance of two ends is uncertain by more than this share of it, the faces belong to
-// several things, to a curved or thin one, or to a step that noise feigns.
-constexpr double kMaxDoubt = 0.1;
 
 // Score of a box of which no face was detected.
 constexpr double kUndetectedScore = 0.5;
@@ -29,8 +30,12 @@ constexpr double kMinOnFaces = 0.85;
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
 
-/// True if a face fills its side of a box.
-bool filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
+/// What was seen of a face's side of a box: least share of the side and of its corners.
+struct Filled {
+  double side = 0.0, corners = 0.0;
+};
+
+Filled filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
   const int u = (i + 1) % 3, v = (i + 2) % 3;
   Eigen::Matrix<double, 3, 2> uv_C;
   uv_C << draft.R_CA.col(u), draft.R_CA.col(v);
@@ -38,7 +43,6 @@ bool filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
   const auto filling = [&](const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
     return filling_of(*draft.faces[i], uv_C, low, high, draft.seen_through[i]);
   };
-  if (filling(from, to).share() < kMinFilled) return false;
   const Eigen::Vector2d corner = kCorner * (to - from);
   Filling corners;
   for (int n = 0; n < 4; ++n) {
@@ -46,13 +50,18 @@ bool filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
                              n & 2 ? to.y() - corner.y() : from.y());
     corners += filling(at, at + corner);
   }
-  return corners.share() > kMinFilled;
+  return {filling(from, to).share(), corners.share()};
+}
+
+/// True if a face fills its side of a box.
+bool is_filled(const Filled& filled) {
+  return filled.side >= kMinFilled && filled.corners > kMinFilled;
 }
 
 bool all_filled(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
   const Eigen::AlignedBox3d core_A = draft.core_A(box_A);
   for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
-    if (!filled(draft, i, core_A)) return false;
+    if (!is_filled(filled(draft, i, core_A))) return false;
   }
   return true;
 }
@@ -166,18 +175,29 @@ Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
 
 }  // namespace
 
-bool is_rectangular(const BoxDraft& draft) {
+Rectangle rectangle_of(const BoxDraft& draft) {
   // On a disc the measured edges lie along the middle of its arcs, so the wider rectangle around
   // its points is used, which the disc does not fill.
-  return filled(draft, 0, draft.reach_A);
+  const Filled all = filled(draft, 0, draft.reach_A);
+  if (is_filled(all)) return Rectangle::kSharp;
+  const bool worn = all.side >= kMinFilled && all.corners > kMinWornCorners;
+  return worn ? Rectangle::kWorn : Rectangle::kNone;
 }
 
 std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
   const SeenEnds seen = find_ends(draft, planes);
   if (!is_solid(draft, seen)) return std::nullopt;
+  return box_of(draft, bounded(draft, planes, seen.ends));
+}
+
+std::optional<Box> box_of_lone_face(const BoxDraft& draft, Rectangle rectangle,
+                                    const std::vector<const Detection*>& planes) {
+  const SeenEnds seen = find_ends(draft, planes);
+  if (!is_solid(draft, seen)) return std::nullopt;
   const BoxEnds ends = bounded(draft, planes, seen.ends);
-  if (draft.faces.size() == 1 && !is_top(ends)) return std::nullopt;
-  return box_of(draft, ends);
+  if (rectangle == Rectangle::kSharp && is_top(ends)) return box_of(draft, ends);
+  const std::optional<BoxEnds> upright = find_upright_ends(draft, planes, ends);
+  return upright ? std::optional(box_of(draft, *upright)) : std::nullopt;
 }
 
 }  // namespace quadrille

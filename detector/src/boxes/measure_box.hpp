@@ -8,16 +8,22 @@
 
 namespace quadrille {
 
-/// True if what was seen of a face that stands alone fills the rectangle around it including the
-/// corners, which no disc does.
-bool is_rectangular(const BoxDraft& draft);
+/// How what was seen of a face that stands alone fills the rectangle around it: including the
+/// corners, which no disc does; with corners that are worn; or not.
+enum class Rectangle { kNone, kWorn, kSharp };
+Rectangle rectangle_of(const BoxDraft& draft);
 
-/// Measures the box of one, two or three faces that belong together; its id stays unset. The axes
+/// Measures the box of two or three faces that belong together; its id stays unset. The axes
 /// come from the normals, seen ends from the planes and outlines of the faces, and other ends are
 /// bounded. Nullopt if it is no solid: a side is too long or too short, a face is not filled, or
 /// something was seen within.
-/// @param draft   of a single face only if it is rectangular
 /// @param planes  all detected planes except the faces
 std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const Detection*>& planes);
+
+/// Measures the box of which only one face was found, like measure_box(). The face is the top of
+/// what stands on a plane below and has sharp corners, or it is upright (find_upright_ends()).
+/// @param rectangle  what rectangle_of() returns for the draft, but not none
+std::optional<Box> box_of_lone_face(const BoxDraft& draft, Rectangle rectangle,
+                                    const std::vector<const Detection*>& planes);
 
 }  // namespace quadrille
