@@ -116,8 +116,11 @@ std::optional<DepthPastEdge> AroundFace::depth_past(const LoneEdge& edge) const 
     double& depth = least[static_cast<std::size_t>(bin)];
     depth = std::min(depth, eye_depth + part * (point.depth - eye_depth));
   }
-  DepthPastEdge found{quantile(least, kMinCovered), 0.0};
+  DepthPastEdge found;
+  found.bound = quantile(least, kMinCovered);
   if (!std::isfinite(found.bound)) return std::nullopt;
+  const double pitch = face_.pitch_along(draft_.R_CA.col(edge.axis), *draft_.sight);
+  found.unsure = pitch * -eye_depth / (eye_out - edge.at);
   std::erase_if(on_side, [&](double depth) { return depth > found.bound + face_.tolerance(); });
   if (on_side.size() >= kMinPoints) found.seen = quantile(on_side, 1.0 - kFewStrays);
   return found;

@@ -37,6 +37,8 @@ struct DepthPastEdge {
   /// Depth at which most of the lines along the edge pass behind the box: it is no deeper, up to
   /// what the rounding of its farther edge lets pass [m].
   double bound = 0.0;
+  /// How far the bound may be off, since the lines are a pixel apart [m].
+  double unsure = 0.0;
   /// Depth to which points were seen on the side that begins at the edge [m]; 0 if there are none.
   double seen = 0.0;
 };

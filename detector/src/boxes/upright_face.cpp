@@ -122,22 +122,27 @@ class UprightFace {
     return true;
   }
 
-  /// Sets the end behind the face. False if no line of sight bounds it, or if one edge shows that
-  /// the face is that of a sheet, such as the wall of an open box.
+  /// Sets the end behind the face as the surest edge shows it. False if no edge bounds the depth,
+  /// or if one shows that the face is that of a sheet. Lines over the upper edge must be sure that
+  /// it is none: seen obliquely from above, the wall of an open box looks as if it were a pixel
+  /// thick.
   bool set_depth(const AroundFace& around) {
-    double likely = 0.0, seen = 0.0;
+    std::optional<DepthPastEdge> surest;
+    double seen = 0.0;
     for (const LoneEdge& edge : free_edges()) {
       const auto depth = around.depth_past(edge);
       if (!depth) continue;
-      if (depth->bound < kRounding + face_.tolerance()) return false;
-      likely = std::max(likely, depth->bound);
+      const bool is_top = edge.axis == foot_.axis;
+      const double least = kRounding + (is_top ? depth->unsure : 0.0);
+      if (depth->bound < least) return false;
+      if (!surest || depth->unsure < surest->unsure) surest = depth;
       seen = std::max(seen, depth->seen);
     }
-    if (likely == 0.0) return false;
+    if (!surest || surest->bound < kRounding + surest->unsure) return false;
     BoxEnd& back = ends_[0][0];
     back.at += seen;
     ends_ = bounded(draft_, planes_, ends_);
-    back.likely = std::clamp(likely - seen, 0.0, back.may_reach);
+    back.likely = std::clamp(surest->bound - seen, 0.0, back.may_reach);
     return true;
   }
 
