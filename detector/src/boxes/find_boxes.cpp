@@ -10,15 +10,14 @@
 
 #include "base/mask.hpp"
 #include "base/try_ahead.hpp"
-#include "boxes/box_axes.hpp"
 #include "boxes/box_draft.hpp"
 #include "boxes/box_ends.hpp"
 #include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
+#include "boxes/faces_box.hpp"
 #include "boxes/find_faces.hpp"
 #include "boxes/grouping.hpp"
 #include "boxes/measure_box.hpp"
-#include "boxes/missing_face.hpp"
 #include "cloud/far_cloud.hpp"
 #include "cloud/some_points.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
@@ -71,6 +70,11 @@ class BoxMaker {
     begun_.assign(groups_.size(), 0);
     take_steps(this, threads_);
     for (const BoxSeed& seed : seeds_) add(box_of_seed(seed));
+    // A box of one face knows the least, so these come last.
+    for (const Face& face : faces_) {
+      if (face.id == 0 || !is_free(&face)) continue;
+      add(box_of_upright_face(face, planes_beside({&face}), sight_));
+    }
     return std::move(boxes_);
   }
 
@@ -99,7 +103,7 @@ class BoxMaker {
     return static_cast<std::size_t>(step) >= first_ && are_free(groups_[step]);
   }
   Outcome attempt(int step, State /*same*/, Scratch* /*none*/) const {
-    return box_of(groups_[step]);
+    return box_of_faces(groups_[step], planes_beside(groups_[step]), sight_);
   }
   bool holds(int /*step*/, const Outcome& /*box*/) const { return true; }
   bool take(int step, Outcome box) {
@@ -197,27 +201,6 @@ class BoxMaker {
     return others;
   }
 
-  /// The box of some faces, if they make one.
-  std::optional<Box> box_of(const std::vector<const Face*>& faces) const {
-    const std::vector<const Detection*> others = planes_beside(faces);
-    if (faces.size() == 1) return box_of_face(faces, others);
-    std::optional<Box> box = completed_box(faces, box_axes(faces), others);
-    if (!box) box = measure_box(draft_of(faces, sight_), others);
-    return box;
-  }
-
-  /// The box of a face that no other known face meets.
-  std::optional<Box> box_of_face(const std::vector<const Face*>& face,
-                                 const std::vector<const Detection*>& others) const {
-    const BoxDraft draft = draft_of(face, sight_);
-    const Rectangle rectangle = rectangle_of(draft);
-    if (rectangle == Rectangle::kNone) return std::nullopt;
-    if (rectangle == Rectangle::kSharp) {
-      if (auto box = completed_box(face, draft.R_CA, others)) return box;
-    }
-    return box_of_lone_face(draft, rectangle, others);
-  }
-
   /// The box of those faces of a seed that are flat, free and meet at right angles, if there are
   /// two at least.
   std::optional<Box> box_of_seed(const BoxSeed& seed) const {
@@ -244,23 +227,6 @@ class BoxMaker {
       face->score = known->score;
     }
     return face;
-  }
-
-  /// A box completed with faces that are not among the given ones; nullopt if there are none or
-  /// they make no box.
-  /// @param R_CA  axes of the given faces
-  std::optional<Box> completed_box(std::vector<const Face*> faces, Eigen::Matrix3d R_CA,
-                                   const std::vector<const Detection*>& others) const {
-    const std::size_t given = faces.size();
-    std::list<Face> missing;  // The list keeps pointers to its elements valid.
-    while (faces.size() < 3) {
-      std::optional<Face> face = find_missing_face(faces, R_CA, sight_);
-      if (!face) break;
-      faces.push_back(&missing.emplace_back(std::move(*face)));
-      R_CA = box_axes(faces);
-    }
-    if (faces.size() == given) return std::nullopt;
-    return measure_box(draft_of(faces, sight_), others);
   }
 
   const DirectionIndex& sight_;

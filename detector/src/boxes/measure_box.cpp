@@ -190,14 +190,19 @@ std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const De
   return box_of(draft, bounded(draft, planes, seen.ends));
 }
 
-std::optional<Box> box_of_lone_face(const BoxDraft& draft, Rectangle rectangle,
-                                    const std::vector<const Detection*>& planes) {
+std::optional<Box> measure_top(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
   const SeenEnds seen = find_ends(draft, planes);
   if (!is_solid(draft, seen)) return std::nullopt;
   const BoxEnds ends = bounded(draft, planes, seen.ends);
-  if (rectangle == Rectangle::kSharp && is_top(ends)) return box_of(draft, ends);
-  const std::optional<BoxEnds> upright = find_upright_ends(draft, planes, ends);
-  return upright ? std::optional(box_of(draft, *upright)) : std::nullopt;
+  return is_top(ends) ? std::optional(box_of(draft, ends)) : std::nullopt;
+}
+
+std::optional<Box> measure_upright(const BoxDraft& draft,
+                                   const std::vector<const Detection*>& planes) {
+  const SeenEnds seen = find_ends(draft, planes);
+  if (!is_solid(draft, seen)) return std::nullopt;
+  const auto ends = find_upright_ends(draft, planes, bounded(draft, planes, seen.ends));
+  return ends ? std::optional(box_of(draft, *ends)) : std::nullopt;
 }
 
 }  // namespace quadrille

@@ -20,10 +20,13 @@ Rectangle rectangle_of(const BoxDraft& draft);
 /// @param planes  all detected planes except the faces
 std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const Detection*>& planes);
 
-/// Measures the box of which only one face was found, like measure_box(). The face is the top of
-/// what stands on a plane below and has sharp corners, or it is upright (find_upright_ends()).
-/// @param rectangle  what rectangle_of() returns for the draft, but not none
-std::optional<Box> box_of_lone_face(const BoxDraft& draft, Rectangle rectangle,
-                                    const std::vector<const Detection*>& planes);
+/// Measures the box of which only the top was found, a face with sharp corners, like measure_box().
+/// Nullopt if no plane below is parallel to it.
+std::optional<Box> measure_top(const BoxDraft& draft, const std::vector<const Detection*>& planes);
+
+/// Measures the box of which only one upright face was found (find_upright_ends()), like
+/// measure_box(). The corners of the face may be worn.
+std::optional<Box> measure_upright(const BoxDraft& draft,
+                                   const std::vector<const Detection*>& planes);
 
 }  // namespace quadrille

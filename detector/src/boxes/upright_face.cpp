@@ -142,7 +142,8 @@ class UprightFace {
     BoxEnd& back = ends_[0][0];
     back.at += seen;
     ends_ = bounded(draft_, planes_, ends_);
-    back.likely = std::clamp(surest->bound - seen, 0.0, back.may_reach);
+    // Lines of sight pass the rounding of the farther edge, so the box is deeper than they tell.
+    back.likely = std::clamp(surest->bound + kRounding - seen, 0.0, back.may_reach);
     return true;
   }
 

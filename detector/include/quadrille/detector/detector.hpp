@@ -50,8 +50,11 @@ QUADRILLE_EXPORT std::vector<Eigen::Isometry3d> align_views(std::vector<PointClo
 /// Two or three planes are faces of one box if they meet at right angles, within 9°, in a common
 /// convex edge. Faces that were not detected are sought in the cloud. A
 /// single plane is the top of a box if it is a free-standing rectangle above a plane that is
-/// parallel to it. Planes larger than 0.7 m are tables, walls and floors. Ids continue those of the
-/// detections; boxes with the most detected faces come first. Deterministic.
+/// parallel to it. It is the front of a box if it stands upright on a plane, is a rectangle of at
+/// most 0.35 m that was seen to end on the other three sides, and lines of sight past its edges
+/// show nothing right behind it; the depth of the box then counts as not seen. Planes larger than
+/// 0.7 m are tables, walls and floors. Ids continue those of the detections; boxes with the most
+/// detected faces come first. Deterministic.
 /// @param cloud  cloud of the detections, with the viewpoint of its sensor
 /// @return boxes in frame C of the cloud; one plane may hold faces of several, such as the tops of
 ///   boxes of equal height
