@@ -142,8 +142,10 @@ class UprightFace {
     BoxEnd& back = ends_[0][0];
     back.at += seen;
     ends_ = bounded(draft_, planes_, ends_);
-    // Lines of sight pass the rounding of the farther edge, so the box is deeper than they tell.
-    back.likely = std::clamp(surest->bound + kRounding - seen, 0.0, back.may_reach);
+    // Lines of sight pass the rounding of the farther edge. It is between none and the most, and so
+    // is what the box is deeper than they tell.
+    const double likely = surest->bound + 0.5 * kRounding;
+    back.likely = std::clamp(likely - seen, 0.0, back.may_reach);
     return true;
   }
 
