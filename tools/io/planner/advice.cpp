@@ -48,7 +48,7 @@ constexpr std::array<Advice, 21> kAdvice = {{
      "try a gripper with slimmer fingers (--gripper), or raise the object"},
     {Refusal::kTarget, "the hand would touch the object before it closes",
      "try a gripper that opens wider or has longer fingers (--gripper)"},
-    {Refusal::kCollision, "the hand would hit things",
+    {Refusal::kCollision, "the hand would hit something",
      "add a view if nothing stands there but the object itself, clear the space around, try a "
      "slimmer gripper (--gripper), or a shorter approach (under [planner] in --config FILE)"},
     {Refusal::kUnknown, "the hand would enter space the camera has not seen", ""},
