@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "planes/planes.hpp"
@@ -8,11 +9,15 @@
 
 namespace quadrille {
 
-/// True if a curved surface bulges from one of the planes, reaches down to it, and is nowhere
-/// steeper than 45° against it. Cloth, bags and grain lie so, since they slide where it is steeper.
-/// The sides of solid things that stand or lie are steeper, at least at their foot.
+/// True if a curved surface lies like cloth, a bag or grain on one of the level planes: it bulges
+/// from the plane, reaches down to it where the plane was seen, is nowhere steeper than 45° against
+/// it, and is too uneven for a dome. The sides of solid things that stand or lie are steeper, at
+/// least at their foot.
 /// @param samples  samples on which the surface was found
+/// @param planes, coarse  the planes, and the samples on which they were found
+/// @param up  unit normal of the ground; level planes are parallel to it within 20°
 bool is_heap(const Surface& surface, const SurfaceSamples& samples,
-             const std::vector<PlaneRegion>& planes);
+             const std::vector<PlaneRegion>& planes, const SurfaceSamples& coarse,
+             const Eigen::Vector3d& up);
 
 }  // namespace quadrille

@@ -114,7 +114,10 @@ std::vector<Surface> surfaces_off_planes(const Scene& scene, Measured* measured,
   std::vector<Surface> surfaces;
   for (const Surface& surface : scene.surfaces) {
     if (is_flat(surface) && is_part_of(surface, scene.finest, scene.planes, scene.coarse)) continue;
-    if (is_heap(surface, scene.finest, scene.planes)) continue;
+    if (scene.context.up &&
+        is_heap(surface, scene.finest, scene.planes, scene.coarse, *scene.context.up)) {
+      continue;
+    }
     for (const int i : surface.region) {
       const int cell = scene.finest.source[i];
       measured->owner[cell] = static_cast<int>(surfaces.size());
