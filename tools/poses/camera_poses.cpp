@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "poses/pose_jumps.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -18,12 +20,6 @@ constexpr double kFarInTime = 0.02;
 constexpr double kFarInSpace = 1e-3;
 // Distance of objects for which the effect of the camera's rotation is estimated [m].
 constexpr double kReach = 1.0;
-
-// No camera moves or turns faster: hands of arms reach 4 m/s, and their wrists turn at some 5 rad/s
-// about each of three axes, whose rates at most add up [m/s], [rad/s].
-constexpr double kMaxSpeed = 5.0, kMaxTurn = 15.0;
-// Poses that are nearer to each other differ by their noise, however soon they follow [m], [rad].
-constexpr double kNoJump = 0.05, kNoTurn = 0.2;
 
 constexpr double kMsPerSecond = 1e3, kMmPerMetre = 1e3;
 
@@ -43,12 +39,9 @@ std::string describe_misplacement(double age, const Motion& motion) {
                      misplacement * kMmPerMetre, turn.empty() ? "" : " a metre away");
 }
 
-/// True if no camera moves from one pose to a later one in the time between them.
-bool is_far(const bus::PoseMessage& before, const bus::PoseMessage& after) {
-  const double seconds = seconds_between(before.utime, after.utime);
-  const Motion motion = motion_between(before, after);
-  return (motion.speed > kMaxSpeed && motion.speed * seconds > kNoJump) ||
-         (motion.turn > kMaxTurn && motion.turn * seconds > kNoTurn);
+void refuse_jump(CameraPose* pose) {
+  pose->X_WK.reset();
+  pose->lack = PoseLack::kJump;
 }
 
 }  // namespace
@@ -64,20 +57,14 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
   const double until = bracket.after ? seconds_between(utime, bracket.after->utime) : far;
   // If no double distinguishes two (hostile) times, there is nothing to interpolate.
   if (since == 0.0) {
+    pose.X_WK = bracket.before->X_WC;
     pose.age = 0.0;
-    if (jumps_to(*bracket.before)) {
-      pose.lack = PoseLack::kJump;
-    } else {
-      pose.X_WK = bracket.before->X_WC;
-    }
+    if (have_jumped(history_, {bracket.before, nullptr})) refuse_jump(&pose);
   } else if (since <= max_age_ && until <= max_age_) {
+    pose.X_WK = interpolate(*bracket.before, *bracket.after, utime);
     pose.age = std::min(since, until);
     pose.motion = motion_between(*bracket.before, *bracket.after);
-    if (jumps(*bracket.before, *bracket.after)) {
-      pose.lack = PoseLack::kJump;
-    } else {
-      pose.X_WK = interpolate(*bracket.before, *bracket.after, utime);
-    }
+    if (have_jumped(history_, bracket)) refuse_jump(&pose);
   } else if (history_.newest()) {
     pose.age = std::abs(seconds_between(history_.newest()->utime, utime));
     pose.motion = newest_motion();
@@ -86,44 +73,6 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
     }
   }
   return pose;
-}
-
-/// True if no camera moves from one pose to a later one, although it moved from most poses to the
-/// next until then. Otherwise the log shows a camera that is put from place to place.
-bool CameraPoses::jumps(const bus::PoseMessage& before, const bus::PoseMessage& after) const {
-  if (!is_far(before, after)) return false;
-  int balance = 0;
-  const bus::PoseMessage* previous = nullptr;
-  history_.each_until(before.utime, [&](const bus::PoseMessage& pose) {
-    if (previous != nullptr) balance += is_far(*previous, pose) ? -1 : 1;
-    previous = &pose;
-  });
-  return balance > 0;
-}
-
-/// True if no camera moves to a pose from the one before it.
-bool CameraPoses::jumps_to(const bus::PoseMessage& pose) const {
-  if (pose.utime == std::numeric_limits<std::int64_t>::min()) return false;
-  const bus::PoseMessage* before = history_.around(pose.utime - 1).before;
-  return before != nullptr && seconds_between(before->utime, pose.utime) <= max_age_ &&
-         jumps(*before, pose);
-}
-
-bool CameraPoses::jumped_between(const bus::PoseMessage& before,
-                                 const bus::PoseMessage& after) const {
-  bus::PoseMessage previous = before;
-  std::optional<bus::PoseMessage> left, reached;
-  const auto step_to = [&](const bus::PoseMessage& pose) {
-    if (pose.utime <= before.utime) return;
-    if (is_far(previous, pose)) {
-      if (!left) left = previous;
-      reached = pose;
-    }
-    previous = pose;
-  };
-  history_.each_until(after.utime, step_to);
-  step_to(after);
-  return left && jumps(*left, *reached);
 }
 
 /// Estimates the motion from the newest pose and the last one before it that is far enough in time
@@ -142,8 +91,8 @@ std::string CameraPoses::explain(std::int64_t utime, const CameraPose& none) con
     return "no pose has come; is --pose-channel right, and does anyone send on it?";
   }
   if (none.lack == PoseLack::kJump) {
-    return "the poses about it are farther apart than a camera moves in that time; one of them is "
-           "wrong, or the fixed frame was set anew: then drop what older clouds showed (FORGET)";
+    return "the poses jumped about it, or in the second before; one of them is wrong, or the fixed "
+           "frame was set anew: then drop what older clouds showed (FORGET)";
   }
   if (!bracket.before) return "all poses kept are newer; do both senders use one clock?";
   const double since = seconds_between(bracket.before->utime, utime);

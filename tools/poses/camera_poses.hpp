@@ -14,7 +14,7 @@ enum class PoseLack {
   kNoPose,    ///< no pose has come, or only newer ones
   kOldPose,   ///< the pose before the cloud, or the one after it, is too far from it in time
   kLatePose,  ///< no pose after the cloud has come in time
-  kJump,      ///< the poses about the cloud are farther apart than a camera moves in that time
+  kJump,      ///< the poses have jumped; see have_jumped()
 };
 
 /// The camera's pose in W when it took a cloud, or why that is not known.
@@ -26,8 +26,6 @@ struct CameraPose {
   /// Motion of the camera between these two poses or the newest ones; 0 if it is not known.
   Motion motion = {};
   PoseLack lack = PoseLack::kNoPose;
-  /// True if the poses jumped since the last cloud and did not come back.
-  bool is_after_jump = false;
   /// The problem and its remedy, for the log; empty if the pose is known.
   std::string detail = {};
 };
@@ -43,22 +41,14 @@ class CameraPoses {
 
   /// Returns the pose for a cloud taken at this time [us], interpolated between the last pose at or
   /// before it and the first one after it, if both are near enough. A pose of exactly that time is
-  /// used as it is. There is none if a camera cannot have moved from the one to the other, or to
-  /// that pose from the one before it.
+  /// used as it is. There is none if the poses have jumped.
   CameraPose at(std::int64_t utime) const;
-
-  /// True if the poses jumped between those of two clouds and did not come back, as when the fixed
-  /// frame was set anew.
-  /// @param before, after  the poses of the clouds, and when they were taken
-  bool jumped_between(const bus::PoseMessage& before, const bus::PoseMessage& after) const;
 
   /// Explains why a cloud has no pose, and what to do about it.
   std::string explain(std::int64_t utime, const CameraPose& none) const;
 
  private:
   Motion newest_motion() const;
-  bool jumps(const bus::PoseMessage& before, const bus::PoseMessage& after) const;
-  bool jumps_to(const bus::PoseMessage& pose) const;
 
   double max_age_, max_wait_;
   PoseHistory history_;

@@ -66,11 +66,6 @@ class WaitingClouds {
     if (waiting_.empty()) return std::nullopt;
     Waiting& first = waiting_.front();
     CameraPose pose = poses_.at(first.utime);
-    if (pose.X_WK) {
-      const bus::PoseMessage placed{first.utime, *pose.X_WK};
-      pose.is_after_jump = last_placed_ && poses_.jumped_between(*last_placed_, placed);
-      last_placed_ = placed;
-    }
     if (!pose.X_WK) {
       const double waited = static_cast<double>(now) - static_cast<double>(first.since);
       // No later pose makes up for one that is wrong.
@@ -104,8 +99,6 @@ class WaitingClouds {
   double max_wait_;
   std::size_t max_bytes_, bytes_ = 0;
   std::deque<Waiting> waiting_;
-  /// The pose of the last cloud that had one, and its time.
-  std::optional<bus::PoseMessage> last_placed_;
 };
 
 }  // namespace quadrille

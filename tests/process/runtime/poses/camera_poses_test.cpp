@@ -1,5 +1,6 @@
 #include "poses/camera_poses.hpp"
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -41,45 +42,56 @@ TEST_CASE("poses further from the cloud than the largest age are none, and the r
 
 TEST_CASE("clouds where the poses jump have none, and the reason is told", "[process][pose]") {
   const Eigen::Isometry3d off =
-      GENERATE(Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.5, 0.0)),
-               Eigen::Isometry3d(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY())));
+      GENERATE(Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.16, 0.0)),
+               Eigen::Isometry3d(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY())));
+  // One pose is wrong, or two in a row.
+  const int wrong = GENERATE(1, 2);
+  CAPTURE(wrong);
   MovingCamera f;
-  for (int i = 0; i <= 6; ++i) {
-    // One pose is wrong, to whose time there is a cloud.
-    f.pose(40 * kMs * i, 40 * kMs * i, i == 3 ? off : Eigen::Isometry3d::Identity());
+  for (int i = 0; i <= 20; ++i) {
+    const bool is_off = i >= 10 && i < 10 + wrong;
+    f.pose(33 * kMs * i, 33 * kMs * i, is_off ? off : Eigen::Isometry3d::Identity());
   }
-  const auto has_pose = [&](std::int64_t utime) {
-    f.cloud(utime, 250 * kMs);
-    REQUIRE(f.done.back() == utime);
+  const auto has_pose = [&](double steps) {
+    f.cloud(std::llround(33.0 * kMs * steps), 700 * kMs);
     return f.last.X_WK.has_value();
   };
-  CHECK(has_pose(60 * kMs));
-  for (const std::int64_t utime : {100, 120, 140}) {
-    CHECK_FALSE(has_pose(utime * kMs));
-    CHECK(f.last.detail.find("the poses about it are farther apart than a camera moves") == 0);
+  CHECK(has_pose(8.5));
+  for (const double steps : {9.5, 10.0, 10.5, 9.5 + wrong}) {
+    CAPTURE(steps);
+    CHECK_FALSE(has_pose(steps));
+    CHECK(f.last.detail.find("the poses jumped about it") == 0);
   }
-  CHECK(has_pose(180 * kMs));
-  CHECK(f.reasons() == "jump 3 ");
+  // A right pose of the very time of a cloud may follow on wrong ones.
+  CHECK(has_pose(10.0 + wrong));
+  CHECK(has_pose(10.5 + wrong));
+  CHECK(f.reasons() == "jump 4 ");
 }
 
-TEST_CASE("a jump of the poses between two clouds is told if it stays", "[process][pose]") {
-  const LoggedLines log;
-  const bool stays = GENERATE(false, true);
-  const std::int64_t step = GENERATE(10, 33, 100) * kMs;
-  CAPTURE(stays, step);
-  const Eigen::Isometry3d off(Eigen::Translation3d(0.0, -2.0, 0.0));
+TEST_CASE("slow poses that are wrong by a third of a metre are none", "[process][pose]") {
   MovingCamera f;
-  for (int i = 0; i <= 12; ++i) {
-    const bool is_off = i == 5 || i == 6 || (stays && i > 6);
-    f.pose(step * i, 0, is_off ? off : Eigen::Isometry3d::Identity());
+  for (int i = 0; i <= 10; ++i) {
+    const Eigen::Isometry3d off(Eigen::Translation3d(0.0, i == 6 ? 0.35 : 0.0, 0.0));
+    f.pose(100 * kMs * i, 0, off);
   }
-  for (const int half_steps : {7, 17, 21}) {
-    f.cloud(half_steps * step / 2, 0);
-    CHECK(f.last.X_WK);
-    CHECK(f.last.is_after_jump == (stays && half_steps == 17));
+  f.cloud(450 * kMs, 0);
+  CHECK(f.last.X_WK);
+  f.cloud(590 * kMs, 0);
+  CHECK_FALSE(f.last.X_WK);
+}
+
+TEST_CASE("a jump that stays is believed after a second", "[process][pose]") {
+  MovingCamera f;
+  for (int i = 0; i <= 80; ++i) {
+    const Eigen::Isometry3d off(Eigen::Translation3d(0.0, i > 30 ? 2.0 : 0.0, 0.0));
+    f.pose(33 * kMs * i, 0, off);
   }
-  CHECK(f.reasons().empty());
-  CHECK(log.have("POSE: the poses jumped before cloud") == stays);
+  for (const double seconds : {0.9, 1.01, 1.5, 1.9, 2.1, 2.5}) {
+    CAPTURE(seconds);
+    f.cloud(std::llround(1e6 * seconds), 0);
+    CHECK(f.last.X_WK.has_value() == (seconds < 1.0 || seconds > 2.0));
+  }
+  CHECK(f.reasons() == "jump 3 ");
 }
 
 TEST_CASE("a camera that is put from place to place has the poses that are sent",

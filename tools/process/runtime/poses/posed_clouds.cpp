@@ -68,12 +68,6 @@ std::vector<Job> PosedClouds::finish(const WaitingClouds<Thens>::Posed& due) {
 void PosedClouds::note(std::int64_t utime, const CameraPose& pose) {
   last_age_ = pose.age;
   if (pose.X_WK) {
-    if (pose.is_after_jump) {
-      jump_log_.warning(fmt::format(
-          "{}: the poses jumped before cloud {}, and did not come back; if the fixed frame was set "
-          "anew, drop what older clouds showed (FORGET)",
-          source_.channel, utime));
-    }
     const std::string far = describe_if_far(pose);
     if (!far.empty()) far_log_.warning(source_.channel + ": " + far);
     return;

@@ -89,7 +89,7 @@ class PosedClouds {
   std::int64_t poses_received_ = 0;
   std::array<std::int64_t, 4> poseless_{};
   std::optional<double> last_age_;
-  LimitedLog poseless_log_, jump_log_, far_log_{std::chrono::seconds(10)};
+  LimitedLog poseless_log_, far_log_{std::chrono::seconds(10)};
 };
 
 }  // namespace quadrille
