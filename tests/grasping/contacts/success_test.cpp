@@ -8,6 +8,7 @@
 #include "contacts/score_calibration.hpp"
 #include "contacts/success_weights.hpp"
 #include "grasping/scenes.hpp"
+#include "quadrille/grasping/plan_options.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
@@ -28,7 +29,22 @@ GraspTerms all(double value) {
   return terms;
 }
 
+/// The probability that the calibration makes of one that the weights alone give.
+double calibrated(double weighted) {
+  const double log_odds = std::log(weighted / (1.0 - weighted));
+  return 1.0 / (1.0 + std::exp(-(kCalibrationSlope * log_odds + kCalibrationOffset)));
+}
+
 }  // namespace
+
+TEST_CASE("the thresholds of scores belong to this calibration", "[grasp][success]") {
+  // They were chosen as .5, .7 and .8 of the weights alone: the least score of a plan, and
+  // kNearlySureScore and kSureScore of scene/view_chance.cpp.
+  CHECK(calibrated(0.5) == Approx(0.61).margin(0.005));
+  CHECK(calibrated(0.7) == Approx(0.82).margin(0.005));
+  CHECK(calibrated(0.8) == Approx(0.9).margin(0.005));
+  CHECK(PlanOptions{}.min_score == 0.61);
+}
 
 TEST_CASE("the log odds of success are a slope times the weighted terms plus an offset",
           "[grasp][success]") {
