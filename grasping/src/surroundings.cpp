@@ -19,6 +19,12 @@ void Surroundings::check() const {
   }
 }
 
+std::vector<Eigen::Vector3d> viewpoints_of(const PointCloud& cloud, const Surroundings& known) {
+  std::vector<Eigen::Vector3d> viewpoints_C = {cloud.viewpoint};
+  for (const PointCloud& view : known.views) viewpoints_C.push_back(view.viewpoint);
+  return viewpoints_C;
+}
+
 Surroundings moved(Surroundings surroundings, const Eigen::Isometry3d& X_FC) {
   for (PointCloud& view : surroundings.views) view = moved(std::move(view), X_FC);
   surroundings.robot = moved(std::move(surroundings.robot), X_FC);

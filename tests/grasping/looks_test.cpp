@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "quadrille/detector/detector.hpp"
@@ -48,7 +49,7 @@ struct Planned {
 
   std::vector<Look> looks(int max = 3) const {
     return propose_looks(plan, found.bodies, found.detections, franka_hand(), options,
-                         views.front().viewpoint, max);
+                         viewpoints_of(views.front(), {{views.begin() + 1, views.end()}}), max);
   }
   /// Takes all grasps away, as if nothing but this had refused them.
   void refuse_all(Refusal why) {
@@ -109,7 +110,7 @@ TEST_CASE("a proposed view shows more of what is unknown than the first one", "[
   };
   const auto look = std::find_if(looks.begin(), looks.end(), helps);
   REQUIRE(look != looks.end());
-  CHECK(look->gain > 0.5 * static_cast<double>(look->bodies.size()));
+  CHECK(look->gain > static_cast<double>(look->bodies.size()) / 3.0);
   CHECK(look->gain < static_cast<double>(look->bodies.size()));
   // The camera stands above the table, looks at things from there, and is upright.
   const Eigen::Vector3d eye_W = scene.X_CW.inverse() * look->X_CK.translation();
@@ -147,14 +148,14 @@ TEST_CASE("no view is proposed from behind a wall", "[looks]") {
   std::vector<Detection> detections = planned.found.detections;
   detections.push_back(wall);
   const std::vector<Look> looks = propose_looks(planned.plan, planned.found.bodies, detections,
-                                                franka_hand(), planned.options, eye_C, 3);
+                                                franka_hand(), planned.options, {eye_C}, 3);
   for (const Look& look : looks) {
     CHECK(n_C.dot(look.X_CK.translation() - wall.X_CQ.translation()) > 0.0);
   }
   wall.extent_Q = {Eigen::Vector3d(-0.05, -0.05, 0.0), Eigen::Vector3d(0.05, 0.05, 0.0)};
   detections.back() = wall;
   CHECK(propose_looks(planned.plan, planned.found.bodies, detections, franka_hand(),
-                      planned.options, eye_C, 1)
+                      planned.options, {eye_C}, 1)
             .front()
             .X_CK.isApprox(open.front().X_CK));
 }
@@ -207,4 +208,65 @@ TEST_CASE("a body that is too wide even if it is smaller than it seems gets no v
   CHECK(planned.looks().size() == 1);
   can.std = {0.002, 0.002, 0.02};
   CHECK(planned.looks().empty());
+}
+
+TEST_CASE("a body without a grasp gets a view that helps it in one of three cases", "[looks]") {
+  const CanBeforeBox scene;
+  Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, cautious()};
+  const int id = can_of(planned, scene).id;
+  std::erase_if(planned.found.bodies, [&](const SceneBody& body) { return body.id != id; });
+  for (const Refusal why : {Refusal::kNoShape, Refusal::kSeenFromInside, Refusal::kUnmeasured}) {
+    planned.refuse_all(why);
+    const std::vector<Look> looks = planned.looks();
+    REQUIRE(looks.size() == 1);
+    CHECK(looks.front().bodies == std::vector<int>{id});
+    CHECK(looks.front().gain >= 1.0 / 3.0);
+    CHECK(looks.front().gain < 0.5);
+  }
+}
+
+TEST_CASE("a view names the bodies without a grasp before those that have one", "[looks]") {
+  const CanBeforeBox scene;
+  PlanOptions options;
+  options.unknown = UnknownPolicy::kFree;
+  Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, options};
+  const int id = can_of(planned, scene).id;
+  std::erase_if(planned.found.bodies, [&](const SceneBody& body) { return body.id != id; });
+  REQUIRE_FALSE(planned.plan.grasps.empty());
+  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.87;
+  // Another body at the same place was only seen from inside.
+  SceneBody other = planned.found.bodies.front();
+  const int other_id = 1000;
+  other.id = other_id;
+  other.parts = {other_id};
+  planned.found.bodies.push_back(other);
+  planned.plan.targets.push_back({other_id, 0, {{Refusal::kSeenFromInside, 3}}});
+  const std::vector<Look> looks = planned.looks(1);
+  REQUIRE(looks.size() == 1);
+  CHECK(looks.front().bodies == std::vector<int>{other_id, id});
+  CHECK(looks.front().gain > 0.5);
+}
+
+TEST_CASE("a view from where the scene was seen already is worth little", "[looks]") {
+  const CanBeforeBox scene;
+  Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, cautious()};
+  const int id = can_of(planned, scene).id;
+  std::erase_if(planned.found.bodies, [&](const SceneBody& body) { return body.id != id; });
+  planned.refuse_all(Refusal::kUnknown);
+  const std::vector<Look> once = planned.looks(1);
+  REQUIRE(once.size() == 1);
+  const Eigen::Vector3d first_C = planned.views.front().viewpoint;
+  const Eigen::Vector3d seen_C = once.front().X_CK.translation();
+  const std::vector<Look> twice =
+      propose_looks(planned.plan, planned.found.bodies, planned.found.detections, franka_hand(),
+                    planned.options, {first_C, seen_C}, 1);
+  REQUIRE(twice.size() == 1);
+  const Eigen::Vector3d middle_C = planned.found.bodies.front().X_CB.translation();
+  const Eigen::Vector3d now = twice.front().X_CK.translation() - middle_C;
+  for (const Eigen::Vector3d& before_C : {first_C, seen_C}) {
+    const Eigen::Vector3d before = before_C - middle_C;
+    CHECK(now.dot(before) < std::cos(0.7) * now.norm() * before.norm());
+  }
+  CHECK_THROWS_AS(propose_looks(planned.plan, {}, {}, franka_hand(), {}, {}, 1),
+                  std::invalid_argument);
 }

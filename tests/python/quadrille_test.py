@@ -362,8 +362,8 @@ class Plan(unittest.TestCase):
         bodies = {body.id: body for body in found.bodies}
         self.assertGreater(len(advised.looks), 0)
         for look in advised.looks:
-            # The view more likely than not helps each of the bodies, but that is never sure.
-            self.assertGreater(look.gain, 0.5 * len(look.bodies))
+            # The view helps each of the bodies with a chance of a third at least, but that is never sure.
+            self.assertGreaterEqual(look.gain, len(look.bodies) / 3)
             self.assertLess(look.gain, len(look.bodies))
             np.testing.assert_allclose(look.X_CK[:3, :3] @ look.X_CK[:3, :3].T, np.eye(3), atol=1e-9)
             # The camera sees the bodies that it helps.

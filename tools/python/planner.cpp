@@ -151,8 +151,8 @@ struct PlannedScene {
     if (advise) {
       plan.remedies = find_remedies(plan, cloud, found.detections, gripper, options, known, query_K,
                                     found.boxes, found.bodies);
-      plan.looks =
-          propose_looks(plan, found.bodies, found.detections, gripper, options, cloud.viewpoint);
+      plan.looks = propose_looks(plan, found.bodies, found.detections, gripper, options,
+                                 viewpoints_of(cloud, known));
     }
     return {moved(std::move(plan), X_CK), X_CK};
   }

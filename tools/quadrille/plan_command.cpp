@@ -205,7 +205,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
           });
     }
     planned.looks = propose_looks(planned, found.bodies, found.detections, setup.gripper,
-                                  setup.options, cloud.viewpoint);
+                                  setup.options, viewpoints_of(cloud, known));
   }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.

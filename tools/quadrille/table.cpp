@@ -124,12 +124,11 @@ std::string grasp_table(const GraspPlan& plan, bool advised, const Paint& paint)
 std::string look_table(const std::vector<Look>& looks) {
   std::string text;
   for (const Look& look : looks) {
-    // Rounded down, since nothing more is to be promised than was measured.
-    const double of_ten = std::floor(10.0 * look.gain / static_cast<double>(look.bodies.size()));
+    const double of_ten = std::round(10.0 * look.gain / static_cast<double>(look.bodies.size()));
     const Eigen::Vector3d p = look.X_CK.translation(), ahead = look.X_CK.linear().col(2);
     text += fmt::format(
-        "  a view from {:.3f} {:.3f} {:.3f} along {:.2f} {:.2f} {:.2f} may help {}; of 10 such "
-        "bodies {:.0f} get a better grasp by it\n",
+        "  a view from {:.3f} {:.3f} {:.3f} along {:.2f} {:.2f} {:.2f} may help {}; it gives about "
+        "{:.0f} in 10 such bodies a better grasp\n",
         p.x(), p.y(), p.z(), ahead.x(), ahead.y(), ahead.z(), fmt::join(look.bodies, ", "), of_ten);
   }
   return text;

@@ -1,7 +1,11 @@
 // Says how likely further views give grasps to bodies without a sure one. The numbers were measured
 // on twelve simulated kitchens under stereo and six crowded scenes with the noise of depth cameras:
 // what a plan said of 160 such bodies in one view was compared with what it said once one more view
-// was added, out of four to seven from all sides.
+// was added, out of four to seven from all sides. To measure them again, render such scenes from
+// the first place and from others around them, plan on the first view alone and on it with each
+// other view (`--view`), and count the bodies without a sure grasp that get one in the second plan.
+// The counts by refusal are the shares below, and a logistic fit to all pairs of a body and a view
+// gives the log odds.
 #include "scene/view_chance.hpp"
 
 #include <algorithm>
@@ -26,16 +30,17 @@ constexpr double kUpright = std::numbers::sqrt2 / 2.0;
 // if the body is too wide for the hand or mostly too low for it: by a quarter of all views, in
 // place of half of them.
 constexpr double kMetThings = 0.8, kMetThingsAndMore = 0.4;
-// Hands that met nothing but unknown space, where that is an obstacle: by the views that were
-// proposed with this number, 26 of 40 bodies got a grasp, as many as it says.
+// The same share for hands that met nothing but unknown space, where that is an obstacle. With this
+// number 26 of 40 bodies got a grasp by the views that were proposed for them, as many as it says.
 constexpr double kMetUnknown = 0.8;
-// Candidates with a low score: 24 of 58 bodies. Many are strays of the sensor, for which no view
-// helps. The support in the way: 3 of 18.
+// Of 58 bodies whose candidates had too low a score 24 got a grasp; many are strays of the sensor,
+// for which no view helps. Of 18 for which the support was in the way 3 got one.
 constexpr double kLowScore = 0.35, kMetSupport = 0.15;
-// Nothing was measured of bodies whose rim or side was not seen, since there were too few.
+// Bodies whose rim or side was not seen were too few to measure their share, which is assumed.
 constexpr double kNotSeen = 0.5;
-// The same for bodies with a grasp that a view is to make sure. From this score on it did so for 7
-// of 8; below, for 21 of 25, but by few of their views, so that a view is worth less there.
+// These are the shares of bodies with a grasp that a view is to make sure. From this score on views
+// did so for 7 of 8; below it they did so for 21 of 25, but few views of each, so that a view is
+// worth less there.
 constexpr double kNearlySureScore = 0.82, kNearlySure = 0.9, kUnsure = 0.55;
 
 // Log odds that a view gives a body a grasp which some view gives: with none of the unknown space,

@@ -9,10 +9,10 @@
 
 namespace quadrille {
 
-/// What a further view may do for a body.
+/// A prospect tells what further views may do for a body.
 struct Prospect {
   /// Probability that there are views which give the body a grasp, or a sure one if it has a
-  /// doubtful one. 0 for bodies that no view helps.
+  /// doubtful one. It is 0 for bodies that no view helps.
   double chance = 0.0;
   /// True if the body has a grasp, which a view could make sure.
   bool has_grasp = false;
@@ -31,7 +31,8 @@ bool may_fit(const SceneBody& body, const Gripper& gripper, const PlanOptions& o
 
 /// Returns the probability that one view gives a body what the prospect says.
 /// @param share  of the unknown space about the body that the view shows
-/// @param angle  between the lines of sight to the body of this view and of the first one [rad]
+/// @param angle  the least one between the lines of sight to the body of this view and of those
+///               views that there are already [rad]
 /// @param height  sine of the angle between the line of sight and the support
 double chance_by_view(const Prospect& prospect, double share, double angle, double height);
 

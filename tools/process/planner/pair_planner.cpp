@@ -104,7 +104,7 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const Known& known
     plan.remedies = find_remedies(plan, things.cloud, things.detections, settings_.gripper, options,
                                   surroundings, query, things.boxes, things.bodies);
     plan.looks = propose_looks(plan, things.bodies, things.detections, settings_.gripper, options,
-                               things.cloud.viewpoint);
+                               viewpoints_of(things.cloud, surroundings));
   }
   return plan;
 }

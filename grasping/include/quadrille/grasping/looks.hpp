@@ -21,23 +21,28 @@ namespace quadrille {
 /// well, and on the side of each wall from which that was seen. A place shows those unknown voxels
 /// within a finger's reach of a body to which the line of sight is free: it crosses no occupied
 /// voxel and no body. How likely the view gives the body a grasp, or a sure one in place of a
-/// doubtful one, follows from the share of these, from the angle between both views, from the
-/// height of the place, and from what refused the body's grasps. The place from which most grasps
-/// are expected is taken first, for all bodies to which it more likely than not gives one; the next
-/// ones are for the others.
+/// doubtful one, follows from the share of these, from the least angle to a view that there is
+/// already, from the height of the place, and from what refused the body's grasps. A view helps a
+/// body without a grasp if it gives one with a probability of a third or more, and a body with a
+/// doubtful grasp if it makes that sure with a probability of a half or more. Views that help
+/// bodies without a grasp are chosen first, and among them that from which most first grasps are
+/// expected; the next ones are for the bodies that are left.
 /// @param plan        a plan in frame C, with the space that it mapped
 /// @param bodies      the bodies of the plan
 /// @param detections  the detections of the plan, among which are the supports of the bodies
 /// @param gripper     the hand of the plan
 /// @param options     those of the plan
-/// @param viewpoint_C where the sensor was [m]
+/// @param viewpoints_C where the sensor was, for the plan's cloud first and then for further views
+///                    [m]; see viewpoints_of()
 /// @param max_looks   largest number of views
-/// @return views with the largest gain first; empty if no view is likely to help
+/// @return first those that help bodies without a grasp, and of both kinds those with the largest
+///         gain first; empty if no view is likely to help
+/// @throws std::invalid_argument if there is no viewpoint
 QUADRILLE_EXPORT std::vector<Look> propose_looks(const GraspPlan& plan,
                                                  const std::vector<SceneBody>& bodies,
                                                  const std::vector<Detection>& detections,
                                                  const Gripper& gripper, const PlanOptions& options,
-                                                 const Eigen::Vector3d& viewpoint_C,
+                                                 const std::vector<Eigen::Vector3d>& viewpoints_C,
                                                  int max_looks = 3);
 
 }  // namespace quadrille

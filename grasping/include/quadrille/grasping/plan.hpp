@@ -51,7 +51,8 @@ struct Look {
   /// Pose of the camera's frame K in C: the origin is the viewpoint, z points ahead and x to the
   /// right.
   Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
-  /// Ids of the bodies that it would help, those with the largest gain first.
+  /// Ids of the bodies that it would help, first those without a grasp, and of both kinds those
+  /// with the largest chance first.
   std::vector<int> bodies;
   /// Number of these bodies that are expected to get a better grasp by it: the sum of the chances.
   double gain = 0.0;

@@ -46,6 +46,10 @@ struct Surroundings {
   QUADRILLE_EXPORT void check() const;
 };
 
+/// Returns where the sensor was for a cloud and then for the further views.
+QUADRILLE_EXPORT std::vector<Eigen::Vector3d> viewpoints_of(const PointCloud& cloud,
+                                                            const Surroundings& known);
+
 /// Transforms surroundings from frame C into frame F.
 QUADRILLE_EXPORT Surroundings moved(Surroundings surroundings, const Eigen::Isometry3d& X_FC);
 
