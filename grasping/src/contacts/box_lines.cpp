@@ -16,9 +16,28 @@ constexpr double kMaxDoubt = 0.015;
 constexpr double kInner = 0.5, kOffBorder = 0.003;
 // Places nearer to each other than this add nothing [m].
 constexpr double kMinStep = 0.004;
+// Bounds nearer to each other than this are the same, but for rounding [m].
+constexpr double kSame = 1e-6;
 
-/// Returns the places along a side of half length h, the middle first.
-std::vector<double> places(double h, const Gripper& gripper) {
+/// A part of a side of a box, from low to high in frame B [m].
+struct Part {
+  double low = 0.0, high = 0.0;
+};
+
+/// The part of a side on which contacts may lie. Where the likely end of the box is a guess, short
+/// of its outer bound, it ends where the side was last seen.
+Part known_part(const Box& box, int axis) {
+  const double half = 0.5 * box.size[axis];
+  const double low = box.inner_B.min()[axis], high = box.inner_B.max()[axis];
+  Part part{-half, half};
+  if (low > -half + kSame && box.outer_B.min()[axis] < -half - kSame) part.low = low;
+  if (high < half - kSame && box.outer_B.max()[axis] > half + kSame) part.high = high;
+  return part;
+}
+
+/// Returns the places along a part of a side, its middle first.
+std::vector<double> places(const Part& part, const Gripper& gripper) {
+  const double middle = 0.5 * (part.low + part.high), h = 0.5 * (part.high - part.low);
   const double border = h - 0.5 * gripper.pad.maxCoeff() - kOffBorder;
   std::vector<double> all = {0.0};
   for (const double place : {kInner * h, border}) {
@@ -27,6 +46,7 @@ std::vector<double> places(double h, const Gripper& gripper) {
                          });
     if (new_one) all.insert(all.end(), {place, -place});
   }
+  for (double& place : all) place += middle;
   return all;
 }
 
@@ -49,8 +69,8 @@ BoxLines box_lines(const Box& box, const Gripper& gripper) {
     line.normals_C = {line.closing_C, -line.closing_C};
     line.width = line.opening = width;
     line.std = std::min(0.5 * std::max(known, doubt), Body::kMaxStd);
-    for (const double along_u : places(0.5 * box.size[u], gripper)) {
-      for (const double along_v : places(0.5 * box.size[v], gripper)) {
+    for (const double along_u : places(known_part(box, u), gripper)) {
+      for (const double along_v : places(known_part(box, v), gripper)) {
         Eigen::Vector3d centre_B;
         centre_B[axis] = middle_B[axis];
         centre_B[u] = along_u;

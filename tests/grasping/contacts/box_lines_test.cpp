@@ -1,5 +1,7 @@
 #include "contacts/box_lines.hpp"
 
+#include <algorithm>
+
 #include "support/catch.hpp"
 
 namespace quadrille {
@@ -58,6 +60,41 @@ TEST_CASE("a face that was not seen is taken at its bound, if that is tight", "[
   for (const ContactLine& line : loose.lines) {
     CHECK(std::abs(line.closing_C.dot(box.X_CB.linear().col(2))) < 0.1);
   }
+}
+
+/// A box of one upright face, 9 cm wide and 12 cm high. Its depth is a guess of 28 mm, of which the
+/// 6 mm next to the face were seen; it may be 60 mm.
+Box box_of_one_face() {
+  Box box = box_of({0.12, 0.09, 0.028});
+  box.seen[2] = false;
+  box.inner_B.min().z() = 0.008;
+  box.outer_B.min().z() = -0.046;
+  return box;
+}
+
+TEST_CASE("no contact lies in the guessed part of a box of one face", "[contacts][boxes]") {
+  const Box box = box_of_one_face();
+  const BoxLines found = box_lines(box, franka_hand());
+  CHECK(found.unmeasured == 1);
+  REQUIRE(!found.lines.empty());
+  for (const ContactLine& line : found.lines) {
+    for (const Eigen::Vector3d& p_C : line.contacts_C) {
+      const double z = (box.X_CB.inverse() * p_C).z();
+      CHECK((z > 0.008 - 1e-9 && z < 0.014 + 1e-9));
+    }
+  }
+}
+
+TEST_CASE("contacts lie down to the plane on which a box rests", "[contacts][boxes]") {
+  // Only the top was seen, but the box reaches down to its outer bound.
+  Box box = box_of({0.12, 0.08, 0.05});
+  box.seen[2] = false;
+  box.inner_B.min().z() = 0.025;
+  double lowest = 1.0;
+  for (const ContactLine& line : box_lines(box, franka_hand()).lines) {
+    lowest = std::min(lowest, (box.X_CB.inverse() * line.centre_C).z());
+  }
+  CHECK(lowest < -0.01);
 }
 
 }  // namespace
