@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/quantile.hpp"
@@ -79,6 +80,7 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
 }  // namespace
 
 double turn_across(const Face& face, const std::vector<Eigen::Vector3d>& measured_C) {
+  if (measured_C.empty()) return std::numeric_limits<double>::infinity();
   const Eigen::Vector3d n = face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
   HeightFit fit;
   std::vector<Eigen::Vector2d> places;

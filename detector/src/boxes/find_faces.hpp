@@ -15,7 +15,7 @@ inline constexpr double kMaxTurn = 0.5;
 
 /// How far the normal turns across a face [rad], by a quadratic fit to its points as they were
 /// measured: nearly 0 on a flat face, about 1 on the strip of a cylinder that is thin enough to
-/// pass for a plane.
+/// pass for a plane. Infinite if there are no points.
 double turn_across(const Face& face, const std::vector<Eigen::Vector3d>& measured_C);
 
 /// The largest face in a patch, with its plane refitted; nullopt if there are too few points.
