@@ -154,7 +154,12 @@ BoxEnd bounded(const BoxDraft& draft, const std::vector<const Detection*>& plane
                const Eigen::AlignedBox3d& box_A, int axis, int upper, BoxEnd end) {
   const PlaneStop stop = stop_from(draft, planes, end.at, axis, upper, kRounding);
   const double free = free_of(draft, box_A, axis, upper), side = box_A.sizes()[axis];
-  end.may_reach = std::max(0.0, std::min({stop.distance, free, kMaxSide - side}));
+  const double most = std::max(0.0, std::min({stop.distance, free, kMaxSide - side}));
+  if (end.seen) {
+    end.may_reach = std::min(end.may_reach, most);
+    return end;
+  }
+  end.may_reach = most;
   // The unseen end rests on the plane beyond it unless lines of sight pass between the two.
   end.rests = stop.parallel && stop.distance <= free + draft.skin();
   // If any part of a side was seen, assume that the hidden rest is shorter than the seen part.
@@ -193,7 +198,7 @@ BoxEnds bounded(const BoxDraft& draft, const std::vector<const Detection*>& plan
   for (int axis = 0; axis < 3; ++axis) {
     for (int upper = 0; upper < 2; ++upper) {
       BoxEnd& end = ends[axis][upper];
-      if (!end.seen) end = bounded(draft, planes, box_A, axis, upper, end);
+      if (!end.seen || end.may_reach > 0.0) end = bounded(draft, planes, box_A, axis, upper, end);
     }
   }
   return ends;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "boxes/box_draft.hpp"
@@ -23,6 +24,8 @@ struct BoxEnd {
   bool seen = false;
   /// How far beyond `at` the side reaches at most, and most likely [m].
   double may_reach = 0.0, likely = 0.0;
+  /// How far `at` lies beyond what was seen of the side, where its rounded edge is turned away [m].
+  double hidden = 0.0;
   /// True if the end lies on a plane that is parallel to it.
   bool rests = false;
 };
@@ -48,10 +51,14 @@ SeenEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& p
 BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnd end,
               int axis, int upper, double within);
 
-/// Bounds the unseen ends: they may neither hide points that were seen nor cross a plane.
+/// Bounds the unseen ends: they may neither hide points that were seen nor cross a plane. Seen ends
+/// that may reach farther reach no farther than that either.
 BoxEnds bounded(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnds ends);
 
-/// The box between the seen positions of the ends, in frame A [m].
+/// The box between the positions of the ends, in frame A [m].
 Eigen::AlignedBox3d seen_part(const BoxEnds& ends);
+
+/// Standard deviation of what may lie anywhere in a range of this width.
+inline double uniform_std(double width) { return width / std::sqrt(12.0); }
 
 }  // namespace quadrille

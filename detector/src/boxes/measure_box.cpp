@@ -14,11 +14,11 @@
 namespace quadrille {
 namespace {
 
-// Least share of each face, and of its corners, that was seen to be there; hidden parts do not
-// count. A disc fills no corners.
+// A face of a box, and its corners, must be seen over at least this share of their areas that are
+// not hidden. A disc fills no corners.
 constexpr double kMinFilled = 0.7;
-// Least share of the corners of an upright face, whose edges may be worn. Of the strip of a
-// cylinder that passes for a plane less was seen.
+// The corners of an upright face, which may be worn, must be seen over at least this share. The
+// strip of a cylinder that passes for a plane fills less of its corners.
 constexpr double kMinWornCorners = 0.55;
 // Size of a face's corners as a share of its sides.
 constexpr double kCorner = 0.12;
@@ -28,9 +28,7 @@ constexpr double kUndetectedScore = 0.5;
 // Least share of the points in a box that lie on its sides and the edges between them.
 constexpr double kMinOnFaces = 0.85;
 
-double uniform_std(double width) { return width / std::sqrt(12.0); }
-
-/// What was seen of a face's side of a box: least share of the side and of its corners.
+/// The shares of a side of a box, and of its corners, at which its face was seen.
 struct Filled {
   double side = 0.0, corners = 0.0;
 };
@@ -132,9 +130,11 @@ void add_faces(const BoxDraft& draft, Box& box) {
 
 /// Makes the box from a draft and its ends.
 Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
-  Eigen::AlignedBox3d likely_A = seen_part(ends), outer_A = seen_part(ends);
+  Eigen::AlignedBox3d inner_A = seen_part(ends), likely_A = inner_A, outer_A = inner_A;
   for (int axis = 0; axis < 3; ++axis) {
     const auto& [low, high] = ends[axis];
+    inner_A.min()[axis] += low.hidden;
+    inner_A.max()[axis] -= high.hidden;
     likely_A.min()[axis] -= low.likely;
     likely_A.max()[axis] += high.likely;
     outer_A.min()[axis] -= low.may_reach;
@@ -160,7 +160,7 @@ Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
   Box box;
   box.X_CB.linear() = draft.R_CA * R_AB;
   box.X_CB.translation() = middle_C;
-  box.inner_B = in_B(seen_part(ends));
+  box.inner_B = in_B(inner_A);
   box.outer_B = in_B(outer_A);
   for (int k = 0; k < 3; ++k) {
     const auto& [low, high] = ends[order[k]];

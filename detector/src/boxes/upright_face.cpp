@@ -77,20 +77,22 @@ class UprightFace {
   /// Moves the ends to the sides that begin at the edges. False if an edge was not seen, if
   /// something touches the upper one, or if the surface goes on beyond.
   bool end_at_sides(const AroundFace& around) {
-    std::vector<LoneEdge> turned_away;
+    std::vector<LoneEdge> unseen;
     double radius = 0.0;
     for (const LoneEdge& edge : free_edges()) {
       BoxEnd& end = ends_[edge.axis][edge.upper];
       const BesideEdge beside = around.beside(edge);
       const bool is_top = edge.axis == foot_.axis;
       if (!end.seen || beside.goes_on || (is_top && !beside.free)) return false;
-      if (!beside.faces_eye) turned_away.push_back(edge);
-      if (!beside.side) continue;
+      if (!beside.side) {
+        unseen.push_back(edge);
+        continue;
+      }
       end.at += *beside.side;
       end.std = std::hypot(end.std, beside.spread);
       radius = std::max(radius, radius_of(*beside.side));
     }
-    for (const LoneEdge& edge : turned_away) add_hidden(edge, radius);
+    for (const LoneEdge& edge : unseen) add_hidden(edge, radius);
     return true;
   }
 
@@ -102,14 +104,16 @@ class UprightFace {
     return std::min(kMaxRadius, side + tolerance + std::sqrt(2.0 * tolerance * side));
   }
 
-  /// Adds what the rounding hides of an edge whose side is turned away.
+  /// Adds what the rounding hides of an edge beyond which no side was seen. It likely is as round
+  /// as the roundest edge that was seen, or sharp if none was, but may be as round as any.
   void add_hidden(const LoneEdge& edge, double radius) {
     const Eigen::Vector3d out_C = draft_.out_C(edge.axis, edge.upper);
     const Outline outline{&face_, edge.axis, edge.upper, out_C, {}};
-    const double hidden = outline.hidden(radius, *draft_.sight);
     BoxEnd& end = ends_[edge.axis][edge.upper];
-    end.at += hidden;
-    end.std = std::hypot(end.std, kUnsureShare * hidden);
+    end.hidden = outline.hidden(radius, *draft_.sight);
+    end.may_reach = std::max(0.0, outline.hidden(kMaxRadius, *draft_.sight) - end.hidden);
+    end.at += end.hidden;
+    end.std = std::hypot(end.std, kUnsureShare * end.hidden);
   }
 
   bool has_size() const {

@@ -32,7 +32,7 @@ struct Box {
   /// True if both ends of the side were seen.
   std::array<bool, 3> seen = {false, false, false};
   /// The part that was seen, and the most that the box may occupy without hiding what was seen
-  /// behind it or crossing a plane, in frame B [m]. They differ only at ends that were not seen.
+  /// behind it or crossing a plane, in frame B [m]. They differ at ends that are not seen in full.
   Eigen::AlignedBox3d inner_B, outer_B;
 };
 
