@@ -51,15 +51,20 @@ class UprightFace {
       for (int upper = 0; upper < 2; ++upper) {
         BoxEnd& end = ends_[axis][upper];
         flat_[axis - 1] += end.at;
-        if (end.seen) {
-          end = rested(draft_, planes_, end, axis, upper, kMaxFootGap + face_.tolerance());
-        }
+        if (end.seen) end = rest(end, axis, upper);
         if (!end.rests) continue;
         ++resting;
         foot_ = {axis, upper, end.at};
       }
     }
     return resting == 1;
+  }
+
+  /// Moves an end onto a plane next to it. The face may as well end anywhere on the way there.
+  BoxEnd rest(const BoxEnd& end, int axis, int upper) const {
+    BoxEnd on_plane = rested(draft_, planes_, end, axis, upper, kMaxFootGap + face_.tolerance());
+    on_plane.std = std::hypot(on_plane.std, uniform_std(on_plane.at - end.at));
+    return on_plane;
   }
 
   /// The three edges on which the face does not stand.
