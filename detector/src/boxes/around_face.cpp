@@ -97,7 +97,9 @@ std::optional<DepthPastEdge> AroundFace::depth_past(const LoneEdge& edge) const 
   const Eigen::Vector3d u_C = draft_.R_CA.col(3 - edge.axis);
   const double width = kGapPitches * face_.pitch_along(u_C, *draft_.sight);
   const auto& ends = edges_[2 - edge.axis];
-  const auto count = static_cast<std::size_t>(1.0 + kMiddle * (ends[0] + ends[1]) / width);
+  const double length = kMiddle * (ends[0] + ends[1]);
+  if (!(width > 0.0 && length > 0.0)) return std::nullopt;
+  const auto count = static_cast<std::size_t>(1.0 + length / width);
   std::vector<double> least(count, std::numeric_limits<double>::infinity()), on_side;
   const double eye_out = outward(edge, eye_A_), eye_depth = -face_.height(draft_.sight->eye());
   for (const Point& point : points_) {
