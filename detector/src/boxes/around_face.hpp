@@ -17,7 +17,7 @@ struct LoneEdge {
   double at = 0.0;
 };
 
-/// What was seen right beside an edge.
+/// This tells how an edge ends the face, from the points that were seen right beside it.
 struct BesideEdge {
   /// True if the side of the box that begins at the edge is turned to the sensor.
   bool faces_eye = false;
@@ -32,7 +32,7 @@ struct BesideEdge {
   double spread = 0.0;
 };
 
-/// What the lines of sight past an edge say about the depth of the box behind the face.
+/// This tells how deep the box behind the face is, from the lines of sight past an edge.
 struct DepthPastEdge {
   /// Depth at which most of the lines along the edge pass behind the box: it is no deeper, up to
   /// what the rounding of its farther edge lets pass [m].
@@ -43,7 +43,7 @@ struct DepthPastEdge {
   double seen = 0.0;
 };
 
-/// What a single view shows around and behind the face of a draft that has no other face.
+/// This looks around and behind the face of a draft that has no other face, in a single view.
 class AroundFace {
  public:
   /// @param edges  the edges at the lower and upper ends of axes 1 and 2, at axis − 1
@@ -65,8 +65,8 @@ class AroundFace {
     double depth = 0.0;
   };
 
-  /// Where a place lies between the corners of an edge: from 0 to 1 within the part that is looked
-  /// at.
+  /// Returns the position of a place along an edge. It runs from 0 to 1 over the part of the edge
+  /// that is looked at.
   double along(const LoneEdge& edge, const Eigen::Vector3d& place_A) const;
   bool is_turned_to_eye(const LoneEdge& edge) const;
 

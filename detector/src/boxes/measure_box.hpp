@@ -8,8 +8,8 @@
 
 namespace quadrille {
 
-/// How what was seen of a face that stands alone fills the rectangle around it: including the
-/// corners, which no disc does; with corners that are worn; or not.
+/// Tells whether a face that stands alone fills the rectangle around it. A disc does not fill the
+/// corners (kNone), a worn box fills them in part (kWorn), and other boxes do (kSharp).
 enum class Rectangle { kNone, kWorn, kSharp };
 Rectangle rectangle_of(const BoxDraft& draft);
 
