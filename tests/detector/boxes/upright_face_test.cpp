@@ -43,7 +43,7 @@ void check_size(const Box& box, const Eigen::Isometry3d& X_CB) {
     INFO("side " << i << " of " << box.size.transpose() << ", truly " << truth.transpose());
     CHECK(box.seen[i] == (std::abs(truth[i] - kSize.y()) > 1e-6));
     CHECK(std::abs(box.size[i] - truth[i]) < (box.seen[i] ? 0.006 : 0.015));
-    CHECK(box.outer_B.sizes()[i] > truth[i] - 0.006);
+    CHECK(box.outer_B.sizes()[i] > truth[i] - 0.004);
     CHECK(box.inner_B.sizes()[i] < truth[i] + 0.006);
   }
 }
@@ -61,6 +61,28 @@ TEST_CASE("one upright face makes a box whose depth is said to be a guess", "[bo
       check_size(result.boxes[0], X_CW * X_WB);
     }
   }
+}
+
+TEST_CASE("a box of one upright face is the same for any number of threads",
+          "[boxes][determinism]") {
+  const Eigen::Isometry3d X_CW = test::world_seen_from({0.0, -0.56, 0.42});
+  const PointCloud cloud =
+      seen(box_on_table(X_CW, test::translation(0, 0, 0.5 * kSize.z()) * turned(0.2)));
+  DetectorOptions options;
+  options.threads = 1;
+  const std::vector<Box> one = detect(cloud, options).boxes;
+  options.threads = 2;
+  const std::vector<Box> two = detect(cloud, options).boxes;
+  REQUIRE(one.size() == 1);
+  REQUIRE(two.size() == 1);
+  REQUIRE(one[0].faces.size() == 1);
+  CHECK(two[0].faces == one[0].faces);
+  CHECK(two[0].X_CB.matrix() == one[0].X_CB.matrix());
+  CHECK(two[0].size == one[0].size);
+  CHECK(two[0].std == one[0].std);
+  CHECK(two[0].seen == one[0].seen);
+  CHECK(two[0].inner_B.min() == one[0].inner_B.min());
+  CHECK(two[0].outer_B.max() == one[0].outer_B.max());
 }
 
 TEST_CASE("the foot of an upright face that another box hides is bounded by the table", "[boxes]") {
