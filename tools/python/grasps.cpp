@@ -61,6 +61,7 @@ std::vector<std::string> conventions() {
 
 HandConvention convention_of(const std::string& name) {
   std::vector<std::pair<std::string, HandConvention>> words;
+  words.reserve(std::size(kHandConventions));
   for (const HandConvention convention : kHandConventions) {
     words.emplace_back(to_string(convention), convention);
   }

@@ -115,6 +115,7 @@ class LookChooser {
       return std::tie(a.gives_first, a.look.gain) > std::tie(b.gives_first, b.look.gain);
     });
     std::vector<Look> looks;
+    looks.reserve(chosen.size());
     for (Rated& rated : chosen) looks.push_back(std::move(rated.look));
     return looks;
   }
