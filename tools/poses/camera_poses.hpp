@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,9 @@ enum class PoseLack {
   kLatePose,  ///< no pose after the cloud has come in time
   kJump,      ///< the poses have jumped; see have_jumped()
 };
+
+/// Names of these reasons in messages, in the same order.
+inline constexpr std::array kPoseLackNames = {"no_pose", "old_pose", "late_pose", "jump"};
 
 /// The camera's pose in W when it took a cloud, or why that is not known.
 struct CameraPose {

@@ -82,12 +82,11 @@ std::int64_t PosedClouds::poseless() const {
 }
 
 std::vector<count_t> PosedClouds::count_poseless() const {
-  constexpr std::array<const char*, 4> kNames = {"no_pose", "old_pose", "late_pose", "jump"};
   std::vector<count_t> counts;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
+  for (std::size_t i = 0; i < kPoseLackNames.size(); ++i) {
     if (poseless_[i] == 0) continue;
     counts.emplace_back();
-    counts.back().name = kNames[i];
+    counts.back().name = kPoseLackNames[i];
     counts.back().count = poseless_[i];
   }
   return counts;

@@ -87,7 +87,7 @@ class PosedClouds {
   WaitingClouds<Thens> waiting_;
   Node::Time now_{};
   std::int64_t poses_received_ = 0;
-  std::array<std::int64_t, 4> poseless_{};
+  std::array<std::int64_t, kPoseLackNames.size()> poseless_{};
   std::optional<double> last_age_;
   LimitedLog poseless_log_, far_log_{std::chrono::seconds(10)};
 };
