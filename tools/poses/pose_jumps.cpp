@@ -25,7 +25,7 @@ bool is_jump(const bus::PoseMessage& before, const bus::PoseMessage& after) {
          (motion.turn > kMaxTurn && motion.turn * seconds > kNoTurn);
 }
 
-/// What the jumps of a camera's poses add up to.
+/// Adds up the jumps of a camera's poses, which cancel out if the poses come back.
 class Jumps {
  public:
   /// Adds the step from a pose to the next one.

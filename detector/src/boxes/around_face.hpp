@@ -17,7 +17,7 @@ struct LoneEdge {
   double at = 0.0;
 };
 
-/// This tells how an edge ends the face, from the points that were seen right beside it.
+/// The points right beside an edge show how the face ends there.
 struct BesideEdge {
   /// True if the side of the box that begins at the edge is turned to the sensor.
   bool faces_eye = false;
@@ -32,7 +32,7 @@ struct BesideEdge {
   double spread = 0.0;
 };
 
-/// This tells how deep the box behind the face is, from the lines of sight past an edge.
+/// The lines of sight past an edge show how deep the box behind the face is.
 struct DepthPastEdge {
   /// Depth at which most of the lines along the edge pass behind the box: it is no deeper, up to
   /// what the rounding of its farther edge lets pass [m].
@@ -43,7 +43,7 @@ struct DepthPastEdge {
   double seen = 0.0;
 };
 
-/// This looks around and behind the face of a draft that has no other face, in a single view.
+/// Examines a single view around and behind the face of a draft that has no other face.
 class AroundFace {
  public:
   /// @param edges  the edges at the lower and upper ends of axes 1 and 2, at axis − 1

@@ -57,7 +57,8 @@ struct Doubtful {
   Prospect prospect;
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> unknown_C;
-  /// Where the sensor was, and those places that were chosen already from which it will see this.
+  /// The places of the sensor in all views, and the places already chosen for it from which it will
+  /// see this body.
   std::vector<Eigen::Vector3d> seen_from_C;
 
   double min_chance() const { return prospect.has_grasp ? kMinChanceOfSure : kMinChanceOfFirst; }

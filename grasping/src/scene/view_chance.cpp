@@ -30,11 +30,13 @@ constexpr double kUpright = std::numbers::sqrt2 / 2.0;
 // if the body is too wide for the hand or mostly too low for it: by a quarter of all views, in
 // place of half of them.
 constexpr double kMetThings = 0.8, kMetThingsAndMore = 0.4;
-// The same share for hands that met nothing but unknown space, where that is an obstacle. With this
-// number 26 of 40 bodies got a grasp by the views that were proposed for them, as many as it says.
+// If unknown space is an obstacle, and hands met nothing else, this share of the bodies is taken to
+// get a grasp by some view. With it, 26 of 40 bodies were expected to get one by the view that was
+// proposed, and 26 did.
 constexpr double kMetUnknown = 0.8;
-// Of 58 bodies whose candidates had too low a score 24 got a grasp; many are strays of the sensor,
-// for which no view helps. Of 18 for which the support was in the way 3 got one.
+// All candidates of 58 bodies had too low a score, and 24 of these bodies got a grasp by some view.
+// Many of the others are strays of the sensor. The support was in the way of the hand at 18 bodies,
+// and 3 of them got a grasp.
 constexpr double kLowScore = 0.35, kMetSupport = 0.15;
 // Bodies whose rim or side was not seen were too few to measure their share, which is assumed.
 constexpr double kNotSeen = 0.5;

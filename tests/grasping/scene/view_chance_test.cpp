@@ -1,4 +1,5 @@
-// What further views may do for bodies, by what a plan said of them.
+// Tests of how likely a further view gives a body a grasp, for plans whose refusals are set by
+// hand.
 #include "scene/view_chance.hpp"
 
 #include <Eigen/Core>
