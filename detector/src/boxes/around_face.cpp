@@ -135,7 +135,7 @@ double AroundFace::turn() const {
     const double u = along({1, 0, 0.0}, point.on_A), v = along({2, 0, 0.0}, point.on_A);
     if (u >= 0.0 && u < 1.0 && v >= 0.0 && v < 1.0) on_face_C.push_back(draft_.R_CA * point.p_A);
   }
-  return turn_across(face_, on_face_C);
+  return bend_of(face_, on_face_C).turn;
 }
 
 }  // namespace quadrille

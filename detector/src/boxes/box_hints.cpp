@@ -20,6 +20,17 @@ std::set<int> small_planes(const std::vector<Detection>& detections) {
   return ids;
 }
 
+/// The planes on which things may stand: those that are too large for a face.
+std::vector<Eigen::Hyperplane<double, 3>> floors_of(const std::vector<Detection>& detections) {
+  std::vector<Eigen::Hyperplane<double, 3>> floors;
+  for (const Detection& d : detections) {
+    const bool large = d.extent_Q.sizes().maxCoeff() > 0.5 * kMaxSide;
+    if (d.type != QuadricType::kPlane || !large) continue;
+    floors.emplace_back(outward_normal(d), d.X_CQ.translation());
+  }
+  return floors;
+}
+
 }  // namespace
 
 BoxHints find_box_hints(const SurfaceSamples& samples, const PlaneOptions& options,
@@ -32,7 +43,7 @@ BoxHints find_box_hints(const SurfaceSamples& samples, const PlaneOptions& optio
   for (int i = 0; i < samples.size(); ++i) {
     if (samples.view_of(i) == view && planes.contains(owner[i])) open[i] = 1;
   }
-  hints.seeds = find_box_seeds(samples, open);
+  hints.seeds = find_box_seeds(samples, open, floors_of(detections));
   return hints;
 }
 

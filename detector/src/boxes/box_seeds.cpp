@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
-#include "boxes/find_faces.hpp"
+#include "boxes/upright_seeds.hpp"
 #include "samples/convex_pieces.hpp"
 #include "surfaces/surface.hpp"
 
@@ -121,19 +122,7 @@ Eigen::Matrix3d axes_of(const SurfaceSamples& samples, const Sides& sides,
   return turned.determinant() > 0.0 ? turned : R;
 }
 
-FlatPatch patch_of(const SurfaceSamples& samples, const Side& side, const Eigen::Matrix3d& R,
-                   int axis) {
-  std::vector<Eigen::Vector3d> points_C;
-  for (const int i : side.samples) points_C.push_back(samples.raw[i].cast<double>());
-  Eigen::Matrix3d R_CL;
-  R_CL.col(2) = side.sign * R.col(axis);
-  R_CL.col(0) = R.col((axis + 1) % 3);
-  R_CL.col(1) = R_CL.col(2).cross(R_CL.col(0));
-  return {patch_around(points_C, R_CL), mean_sigma(samples, side.samples)};
-}
-
 std::optional<BoxSeed> seed_of(const SurfaceSamples& samples, const std::vector<int>& piece) {
-  if (piece.size() < kMinSamples) return std::nullopt;
   Eigen::Matrix3d R = axes_about(samples, piece, main_normal(samples, piece));
   Sides sides = sides_of(samples, piece, R);
   for (int round = 0; round < kRounds; ++round) {
@@ -145,21 +134,57 @@ std::optional<BoxSeed> seed_of(const SurfaceSamples& samples, const std::vector<
   for (int axis = 0; axis < 3; ++axis) {
     on_sides += sides[axis].samples.size();
     if (sides[axis].samples.size() < kMinSideSamples) continue;
-    seed.push_back(patch_of(samples, sides[axis], R, axis));
+    Eigen::Matrix3d R_CA = R;
+    R_CA.col(axis) *= sides[axis].sign;
+    seed.push_back(patch_of_side(samples, sides[axis].samples, R_CA, axis));
   }
   const bool is_box = static_cast<double>(on_sides) > kMinShare * static_cast<double>(piece.size());
   return is_box && seed.size() >= 2 ? std::optional(std::move(seed)) : std::nullopt;
 }
 
+/// The normal of the plane on which a piece stands: of those below all of it, the nearest.
+std::optional<Eigen::Vector3d> up_of(const SurfaceSamples& samples, const std::vector<int>& piece,
+                                     std::span<const Eigen::Hyperplane<double, 3>> floors) {
+  std::optional<Eigen::Vector3d> up_C;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Eigen::Hyperplane<double, 3>& floor : floors) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const int i : piece) {
+      lowest = std::min(lowest, floor.signedDistance(samples.raw[i].cast<double>()));
+    }
+    if (lowest < -kRounding || !(lowest < nearest)) continue;
+    nearest = lowest;
+    up_C = floor.normal();
+  }
+  return up_C;
+}
+
 }  // namespace
 
-std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& free) {
+FlatPatch patch_of_side(const SurfaceSamples& samples, std::span<const int> side,
+                        const Eigen::Matrix3d& R_CA, int axis) {
+  std::vector<Eigen::Vector3d> points_C;
+  for (const int i : side) points_C.push_back(samples.raw[i].cast<double>());
+  Eigen::Matrix3d R_CL;
+  R_CL.col(2) = R_CA.col(axis);
+  R_CL.col(0) = R_CA.col((axis + 1) % 3);
+  R_CL.col(1) = R_CL.col(2).cross(R_CL.col(0));
+  return {patch_around(points_C, R_CL), mean_sigma(samples, side)};
+}
+
+std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& free,
+                                    std::span<const Eigen::Hyperplane<double, 3>> floors) {
   std::vector<BoxSeed> seeds;
+  const auto add = [&](std::optional<BoxSeed> seed) {
+    if (seed) seeds.push_back(std::move(*seed));
+  };
   for (const std::vector<int>& connected : connected_pieces(samples, free)) {
     if (connected.size() < kMinSamples) break;
     for (const std::vector<int>& piece : convex_pieces(samples, connected)) {
-      if (seeds.size() == kMaxSeeds) return seeds;
-      if (auto seed = seed_of(samples, piece)) seeds.push_back(std::move(*seed));
+      if (piece.size() < kMinSamples) break;
+      if (seeds.size() >= kMaxSeeds) return seeds;
+      add(seed_of(samples, piece));
+      if (const auto up_C = up_of(samples, piece, floors)) add(upright_seed(samples, piece, *up_C));
     }
   }
   return seeds;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "base/mask.hpp"
@@ -11,10 +13,18 @@ namespace quadrille {
 /// Patches at right angles to each other, one for each side of a thing that may be a box.
 using BoxSeed = std::vector<FlatPatch>;
 
+/// The patch around the samples of a side of a box.
+/// @param R_CA  right-angled axes, of which the given one leads out of the side
+FlatPatch patch_of_side(const SurfaceSamples& samples, std::span<const int> side,
+                        const Eigen::Matrix3d& R_CA, int axis);
+
 /// Seeds of boxes in the convex pieces of some samples. The normals of a piece gather about three
 /// axes at right angles, though its faces may bulge and its edges be rounded so much that no face
-/// is found alone.
-/// @param free  samples to use
-std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& free);
+/// is found alone. Of a piece that stands on a plane another seed follows, as upright_seed() finds
+/// it.
+/// @param free    samples to use
+/// @param floors  planes on which things may stand, with unit normals towards the sensor
+std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& free,
+                                    std::span<const Eigen::Hyperplane<double, 3>> floors);
 
 }  // namespace quadrille

@@ -68,8 +68,8 @@ struct PlacedPoints {
   std::vector<Eigen::Vector2d> places;
 };
 
-/// Keeps those of some points that lie on a plane and in the patch, a tolerance more on all sides.
-PlacedPoints points_on(const Face& plane, const FacePatch& patch,
+/// Keeps those of some points that lie on a plane and in the patch, or within a margin beside it.
+PlacedPoints points_on(const Face& plane, const FacePatch& patch, double margin,
                        const std::vector<Eigen::Vector3d>& points, const DirectionIndex& sight) {
   const double tolerance = plane.tolerance();
   const Eigen::Isometry3d X_PC = patch.X_CP.inverse();
@@ -79,7 +79,7 @@ PlacedPoints points_on(const Face& plane, const FacePatch& patch,
     if (std::abs(plane.height(p)) > tolerance) continue;
     const Eigen::Vector3d on_C = onto_plane(p);
     const Eigen::Vector2d place = (X_PC * on_C).head<2>();
-    if (!(place.cwiseAbs().array() < patch.half.array() + kMaxTolerance).all()) continue;
+    if (!(place.cwiseAbs().array() < patch.half.array() + margin).all()) continue;
     kept.whole.measured_C.push_back(p);
     kept.whole.face.points_C.push_back(on_C);
     kept.places.push_back(place);
@@ -126,7 +126,7 @@ std::vector<MeasuredFace> divided(MeasuredFace whole, const std::vector<Eigen::V
 std::vector<Eigen::Vector3d> FaceFinder::points_around(const FacePatch& patch,
                                                        const Face& plane) const {
   std::vector<Eigen::Vector3d> points =
-      sight_.points_towards(corners_C(patch), kMaxTolerance, max_points_);
+      sight_.points_towards(corners_C(patch), kMaxTolerance, limits_.max_points);
   std::erase_if(points, [&](const auto& p) { return std::abs(plane.height(p)) > kMaxTolerance; });
   return points;
 }
@@ -137,8 +137,8 @@ std::vector<MeasuredFace> FaceFinder::faces_in(const FacePatch& patch,
   plane.n_C = patch.X_CP.linear().col(2);
   plane.offset = plane.n_C.dot(patch.X_CP.translation());
   const std::vector<Eigen::Vector3d> points = points_around(patch, plane);
-  plane.sigma = sigma ? *sigma : std::min(noise_of(patch, points), max_sigma_);
-  auto [whole, places] = points_on(plane, patch, points, sight_);
+  plane.sigma = sigma ? *sigma : std::min(noise_of(patch, points), limits_.max_sigma);
+  auto [whole, places] = points_on(plane, patch, limits_.margin, points, sight_);
   if (places.size() < kMinPoints) return {};
   set_pitch(whole.face, places, sight_);
   std::vector<MeasuredFace> found = divided(std::move(whole), places);

@@ -15,14 +15,21 @@ struct MeasuredFace {
   std::vector<Eigen::Vector3d> measured_C;
 };
 
+/// Limits of what is a face.
+struct FaceLimits {
+  /// The most that the measured noise of a face may be [m].
+  double max_sigma = kMaxTolerance;
+  /// Number of points looked at in each patch.
+  std::size_t max_points = kMaxPoints;
+  /// How far beside its patch a face may reach [m].
+  double margin = kMaxTolerance;
+};
+
 /// Finds faces in patches of a cloud.
 class FaceFinder {
  public:
-  /// @param max_sigma   the most that the measured noise of a face may be [m]
-  /// @param max_points  number of points looked at in each patch
-  explicit FaceFinder(const DirectionIndex& sight, double max_sigma = kMaxTolerance,
-                      std::size_t max_points = kMaxPoints)
-      : sight_(sight), max_sigma_(max_sigma), max_points_(max_points) {}
+  explicit FaceFinder(const DirectionIndex& sight, const FaceLimits& limits = {})
+      : sight_(sight), limits_(limits) {}
 
   /// The faces that lie in the plane of a patch, the largest first.
   /// @param sigma  noise of the points along the normal [m]; measured if not given
@@ -39,8 +46,7 @@ class FaceFinder {
   std::vector<Eigen::Vector3d> points_around(const FacePatch& patch, const Face& plane) const;
 
   const DirectionIndex& sight_;
-  double max_sigma_;
-  std::size_t max_points_;
+  FaceLimits limits_;
 };
 
 }  // namespace quadrille

@@ -222,11 +222,7 @@ class BoxMaker {
     std::optional<Face> face = unbent_face_at(patch, sight_);
     if (!face) return face;
     const auto known = known_face(face->middle_C, face->n_C);
-    if (known != faces_.end()) {
-      face->id = known->id;
-      face->score = known->score;
-    }
-    return face;
+    return known != faces_.end() ? *known : face;
   }
 
   const DirectionIndex& sight_;

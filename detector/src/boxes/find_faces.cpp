@@ -17,9 +17,13 @@ namespace {
 // grows by this factor.
 constexpr int kMaxRefits = 6;
 constexpr double kMinGrowth = 1.1;
-// A face is at most this many times as noisy as what it grows from. If it grows onto a neighbour,
-// the step between them passes for noise, and the face swallows whatever lies near.
+// A face is at most this many times as noisy as the samples by which it was found. One that grows
+// is no noisier than them: if it grows onto a neighbour, the step between the two passes for noise,
+// and the face swallows whatever lies near.
 constexpr double kMaxNoise = 2.0;
+// The samples of a seed's side end where its rounded edges begin. The side reaches no farther
+// beyond them [m].
+constexpr double kSeedMargin = 0.5 * kRounding;
 // So many points in and around a patch suffice to tell how far it grows and whether it bends.
 constexpr std::size_t kDraftPoints = 1500;
 
@@ -55,32 +59,41 @@ std::optional<MeasuredFace> grown(const MeasuredFace& measured, const Eigen::Mat
 }
 
 /// The largest face in a patch, with the plane that is fitted to it.
-/// @param sigma  noise of the points along the patch's normal [m]
-std::optional<MeasuredFace> measured_face_at(const FacePatch& patch, double sigma,
+/// @param sigma   noise of the points along the patch's normal [m]
+/// @param margin  how far beside the patch the face may reach [m]
+std::optional<MeasuredFace> measured_face_at(const FacePatch& patch, double sigma, double margin,
                                              const DirectionIndex& sight) {
-  const FaceFinder finder(sight, kMaxNoise * sigma);
+  const FaceFinder finder(sight, {.max_sigma = kMaxNoise * sigma, .margin = margin});
   const std::vector<MeasuredFace> found = finder.faces_in(patch, sigma);
   if (found.empty()) return std::nullopt;
   return finder.refitted(found.front(), patch.X_CP.linear());
 }
 
+/// A measured face with how far it bulges; nullopt if it bends more than worn boxes do.
+std::optional<Face> unbent(MeasuredFace measured) {
+  const Bend bend = bend_of(measured.face, measured.measured_C);
+  if (bend.turn > kMaxTurn) return std::nullopt;
+  measured.face.bulge = bend.bulge;
+  return std::move(measured.face);
+}
+
 /// The face that grows from a patch; nullopt if there is none, or if it bends.
 std::optional<Face> flat_face(const FacePatch& patch, double sigma, const DirectionIndex& sight,
                               std::size_t max_points) {
-  const FaceFinder finder(sight, kMaxNoise * sigma, max_points);
+  const FaceFinder finder(sight, {.max_sigma = sigma, .max_points = max_points});
   const std::vector<MeasuredFace> found = finder.faces_in(patch, sigma);
   if (found.empty()) return std::nullopt;
   std::optional<MeasuredFace> measured = grown(found.front(), patch.X_CP.linear(), finder);
-  if (!measured || turn_across(measured->face, measured->measured_C) > kMaxTurn)
-    return std::nullopt;
-  measured->face.is_patch = true;
-  return std::move(measured->face);
+  if (!measured) return std::nullopt;
+  std::optional<Face> face = unbent(std::move(*measured));
+  if (face) face->is_patch = true;
+  return face;
 }
 
 }  // namespace
 
-double turn_across(const Face& face, const std::vector<Eigen::Vector3d>& measured_C) {
-  if (measured_C.empty()) return std::numeric_limits<double>::infinity();
+Bend bend_of(const Face& face, const std::vector<Eigen::Vector3d>& measured_C) {
+  if (measured_C.empty()) return {std::numeric_limits<double>::infinity(), 0.0};
   const Eigen::Vector3d n = face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
   HeightFit fit;
   std::vector<Eigen::Vector2d> places;
@@ -93,28 +106,31 @@ double turn_across(const Face& face, const std::vector<Eigen::Vector3d>& measure
   Eigen::Matrix2d H;
   H << 2 * a[3], a[4], a[4], 2 * a[5];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
-  double turn = 0.0;
+  Bend bend;
   for (int k = 0; k < 2; ++k) {
     std::vector<double> x;
     x.reserve(places.size());
     for (const Eigen::Vector2d& place : places) x.push_back(eigen.eigenvectors().col(k).dot(place));
     const double low = quantile(x, kTrimmed), width = quantile(x, 1.0 - kTrimmed) - low;
-    turn = std::max(turn, std::abs(eigen.eigenvalues()[k]) * width);
+    const double outward = -eigen.eigenvalues()[k];
+    bend.turn = std::max(bend.turn, std::abs(outward) * width);
+    // The mean of the parabola outward · x² / 2 over its width lies this far below its vertex.
+    bend.bulge += std::max(0.0, outward) * width * width / 24.0;
   }
-  return turn;
+  return bend;
 }
 
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
-  std::optional<MeasuredFace> measured = measured_face_at(patch, sigma, sight);
+  std::optional<MeasuredFace> measured = measured_face_at(patch, sigma, kMaxTolerance, sight);
   if (!measured) return std::nullopt;
+  measured->face.bulge = bend_of(measured->face, measured->measured_C).bulge;
   return std::move(measured->face);
 }
 
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
-  std::optional<MeasuredFace> measured = measured_face_at(flat.patch, flat.sigma, sight);
-  if (!measured || turn_across(measured->face, measured->measured_C) > kMaxTurn)
-    return std::nullopt;
-  return std::move(measured->face);
+  std::optional<MeasuredFace> measured =
+      measured_face_at(flat.patch, flat.sigma, kSeedMargin, sight);
+  return measured ? unbent(std::move(*measured)) : std::nullopt;
 }
 
 std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight) {
@@ -136,7 +152,9 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
     // If a plane has several faces, each has a plane of its own, and the common plane is only
     // their mean.
     auto own = found.size() > 1 ? finder.refitted(measured, patch.X_CP.linear()) : std::nullopt;
-    faces.push_back(std::move(own ? own->face : measured.face));
+    if (own) measured = std::move(*own);
+    measured.face.bulge = bend_of(measured.face, measured.measured_C).bulge;
+    faces.push_back(std::move(measured.face));
     faces.back().id = plane.id;
     faces.back().score = plane.score;
   }

@@ -13,16 +13,22 @@ namespace quadrille {
 /// a cylinder that passes for a plane turns by .7 or more.
 inline constexpr double kMaxTurn = 0.5;
 
-/// How far the normal turns across a face [rad], by a quadratic fit to its points as they were
-/// measured: nearly 0 on a flat face, about 1 on the strip of a cylinder that is thin enough to
-/// pass for a plane. Infinite if there are no points.
-double turn_across(const Face& face, const std::vector<Eigen::Vector3d>& measured_C);
+/// How a face bends, by a quadratic fit to its points as they were measured.
+struct Bend {
+  /// How far the normal turns across the face [rad]: nearly 0 on a flat one, about 1 on the strip
+  /// of a cylinder that is thin enough to pass for a plane. Infinite if there are no points.
+  double turn = 0.0;
+  /// How far the face bulges beyond its plane [m].
+  double bulge = 0.0;
+};
+Bend bend_of(const Face& face, const std::vector<Eigen::Vector3d>& measured_C);
 
 /// The largest face in a patch, with its plane refitted; nullopt if there are too few points.
 /// @param sigma  noise of the points along the patch's normal [m]
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
-/// The face at a patch as by face_at(), but nullopt if it bends more than worn boxes do.
+/// The face at a side of a seed, nullopt if it bends more than worn boxes do. It reaches little
+/// farther than the patch: the plane of a small side also meets points of the table, in a line.
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight);
 
 /// The largest face in a patch, which has grown as far as its plane explains points; nullopt if

@@ -23,6 +23,10 @@ constexpr double kMinWornCorners = 0.55;
 // Size of a face's corners as a share of its sides.
 constexpr double kCorner = 0.12;
 
+// A face bulges if it does so by this share of its noise: a quadratic fit to the waves of a flat
+// one, in simulated stereo, bulges by less.
+constexpr double kMinBulge = 0.5;
+
 // Score of a box of which no face was detected.
 constexpr double kUndetectedScore = 0.5;
 // Least share of the points in a box that lie on its sides and the edges between them.
@@ -128,6 +132,22 @@ void add_faces(const BoxDraft& draft, Box& box) {
   }
 }
 
+/// Moves the ends to where the faces bulge most, if they bulge more than noise does. A face lies at
+/// the middle of its points, and what bulges on one side, as a full package does, bulges alike on
+/// the other.
+BoxEnds bulging(const BoxDraft& draft, BoxEnds ends) {
+  for (int axis = 0; axis < static_cast<int>(draft.faces.size()); ++axis) {
+    const Face& face = *draft.faces[axis];
+    if (face.bulge < kMinBulge * face.sigma) continue;
+    for (int upper = 0; upper < 2; ++upper) {
+      BoxEnd& end = ends[axis][upper];
+      const bool is_outline = end.seen && !end.rests;
+      if (draft.face_on(axis, upper) || is_outline) end.at += face.bulge;
+    }
+  }
+  return ends;
+}
+
 /// Makes the box from a draft and its ends.
 Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
   Eigen::AlignedBox3d inner_A = seen_part(ends), likely_A = inner_A, outer_A = inner_A;
@@ -187,13 +207,13 @@ Rectangle rectangle_of(const BoxDraft& draft) {
 std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
   const SeenEnds seen = find_ends(draft, planes);
   if (!is_solid(draft, seen)) return std::nullopt;
-  return box_of(draft, bounded(draft, planes, seen.ends));
+  return box_of(draft, bounded(draft, planes, bulging(draft, seen.ends)));
 }
 
 std::optional<Box> measure_top(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
   const SeenEnds seen = find_ends(draft, planes);
   if (!is_solid(draft, seen)) return std::nullopt;
-  const BoxEnds ends = bounded(draft, planes, seen.ends);
+  const BoxEnds ends = bounded(draft, planes, bulging(draft, seen.ends));
   return is_top(ends) ? std::optional(box_of(draft, ends)) : std::nullopt;
 }
 
@@ -201,7 +221,8 @@ std::optional<Box> measure_upright(const BoxDraft& draft,
                                    const std::vector<const Detection*>& planes) {
   const SeenEnds seen = find_ends(draft, planes);
   if (!is_solid(draft, seen)) return std::nullopt;
-  const auto ends = find_upright_ends(draft, planes, bounded(draft, planes, seen.ends));
+  const auto ends =
+      find_upright_ends(draft, planes, bounded(draft, planes, bulging(draft, seen.ends)));
   return ends ? std::optional(box_of(draft, *ends)) : std::nullopt;
 }
 

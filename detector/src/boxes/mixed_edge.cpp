@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,31 @@ std::optional<double> height_behind(const Row& row, double pitch) {
   return spread < -kMaxSpread * middle ? std::optional(middle) : std::nullopt;
 }
 
+/// True if a point that may be mixed floats between a face and what lies behind.
+bool has_floating(const Row& row, double behind, double tolerance, double pitch) {
+  return std::any_of(row.beside.begin(), row.beside.end(), [&](const Beside& point) {
+    const double share = point.height / behind;
+    return point.distance <= kMaxMixed * pitch && point.height <= -tolerance && share > kFloating &&
+           share < 1.0 - kFloating;
+  });
+}
+
+/// How far beyond half a pitch after the end of a row the heights cross half of the gap [m]: in the
+/// middle between the last point above it and the first below. If these are farther apart than
+/// pixels are mixed, the sensor lost those between, and only the last point counts.
+double crossing_of(const Row& row, double behind, double tolerance, double pitch) {
+  double last = 0.0, next = std::numeric_limits<double>::infinity();
+  for (const Beside& point : row.beside) {
+    const bool may_be_mixed = point.distance <= kMaxMixed * pitch && point.height <= -tolerance;
+    if (may_be_mixed && point.height > 0.5 * behind) last = std::max(last, point.distance);
+  }
+  for (const Beside& point : row.beside) {
+    const bool is_beyond = point.distance > last && point.height <= 0.5 * behind;
+    if (is_beyond) next = std::min(next, point.distance);
+  }
+  return next - last < kMaxMixed * pitch ? 0.5 * (last + next - pitch) : last;
+}
+
 }  // namespace
 
 MixedPixels mixed_pixels(const Rows& rows, double tolerance, double pitch) {
@@ -48,22 +74,14 @@ MixedPixels mixed_pixels(const Rows& rows, double tolerance, double pitch) {
     if (row.empty() || !row.seen) continue;
     const std::optional<double> behind = height_behind(row, pitch);
     if (!behind || *behind > -std::max(kMinGap, kMinTolerances * tolerance)) continue;
-    double reach = 0.0;
-    bool floats = false;
-    for (const Beside& point : row.beside) {
-      if (point.distance > kMaxMixed * pitch || point.height > -tolerance) continue;
-      const double share = point.height / *behind;
-      if (share < 0.5) reach = std::max(reach, point.distance);
-      floats = floats || (share > kFloating && share < 1.0 - kFloating);
-    }
-    reaches.push_back(reach);
-    found.mixed += floats;
+    reaches.push_back(crossing_of(row, *behind, tolerance, pitch));
+    found.mixed += has_floating(row, *behind, tolerance, pitch);
   }
   found.rows = static_cast<int>(reaches.size());
   if (reaches.empty()) return found;
   found.reach = median(reaches);
   for (double& other : reaches) other -= found.reach;
-  // Each reach is that of a point, so that the crossing lies within a pitch beyond it.
+  // Each reach lies between two points that are a pitch apart, or more.
   const double each = std::hypot(robust_std(reaches), pitch / std::sqrt(12.0));
   found.std = each / std::sqrt(static_cast<double>(found.rows));
   return found;

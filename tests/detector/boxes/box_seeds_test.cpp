@@ -14,7 +14,7 @@ namespace {
 const Eigen::Vector3d kSize(0.08, 0.048, 0.064);
 
 std::vector<BoxSeed> seeds_of(const SurfaceSamples& samples) {
-  return find_box_seeds(samples, Mask(samples.p.size(), 1));
+  return find_box_seeds(samples, Mask(samples.p.size(), 1), {});
 }
 
 /// The mantle of a cylinder along y, and its lid at the lower end.
@@ -73,6 +73,26 @@ TEST_CASE("a box of which a view shows two sides is a seed, and of one side none
   CHECK(seeds_of(test::seen_samples(box, ahead)).empty());
 }
 
+TEST_CASE("a box that stands on a plane has a second seed, upright on the nearest plane below it",
+          "[boxes][seeds]") {
+  const Eigen::Isometry3d X_CB = test::showing_three_sides();
+  const SurfaceSamples samples = test::seen_samples(test::sides_of_box(kSize), X_CB);
+  // One plane below the box, a lower one that leans, and one in the midst of the box.
+  const Eigen::Vector3d up_C = -X_CB.linear().col(1);
+  const Eigen::Vector3d leans_C = Eigen::AngleAxisd(0.3, X_CB.linear().col(0)) * up_C;
+  const Eigen::Vector3d foot_C = X_CB.translation() - 0.5 * kSize.y() * up_C;
+  const std::vector<Eigen::Hyperplane<double, 3>> floors = {
+      {leans_C, Eigen::Vector3d(foot_C - 0.3 * up_C)},
+      {up_C, foot_C},
+      {leans_C, X_CB.translation()}};
+  const auto seeds = find_box_seeds(samples, Mask(samples.p.size(), 1), floors);
+  REQUIRE(seeds.size() == 2);
+  for (const FlatPatch& flat : seeds[1]) {
+    const Eigen::Vector3d n_B = X_CB.linear().transpose() * flat.patch.X_CP.linear().col(2);
+    CHECK(n_B.cwiseAbs().maxCoeff() > std::cos(0.02));
+  }
+}
+
 TEST_CASE("balls and the mantles of cylinders are no seeds", "[boxes][seeds]") {
   test::OrientedPoints ball;
   for (int k = 0; k < 3000; ++k) {
@@ -100,10 +120,10 @@ TEST_CASE("the lid of a can makes a seed of it, of which the mantle is a side", 
 }
 
 TEST_CASE("samples that are not free, few, none or not finite make no seed", "[boxes][seeds]") {
-  CHECK(find_box_seeds({}, {}).empty());
+  CHECK(find_box_seeds({}, {}, {}).empty());
   const test::OrientedPoints box = test::sides_of_box(kSize);
   SurfaceSamples samples = test::seen_samples(box, test::showing_three_sides());
-  CHECK(find_box_seeds(samples, Mask(samples.p.size(), 0)).empty());
+  CHECK(find_box_seeds(samples, Mask(samples.p.size(), 0), {}).empty());
   const auto tiny = test::sides_of_box(Eigen::Vector3d::Constant(3.0 * test::kSampleCell));
   CHECK(seeds_of(test::seen_samples(tiny, test::showing_three_sides())).empty());
   for (Eigen::Vector3f& n : samples.n) {

@@ -51,6 +51,28 @@ TEST_CASE("an outline lies in the middle of the pixels that float between face a
   CHECK(found.std < 0.5 * kPitch);
 }
 
+TEST_CASE("an outline lies in the middle of the pixels that a sensor lost there",
+          "[boxes][mixed]") {
+  // The outline is four and a half pitches beyond the ends: two pixels float on its near side, two
+  // on the far side, and the two next to it are lost.
+  Rows rows = rows_with([](int k) { return -kGap * (k < 5 ? 0.3 : k < 8 ? 0.8 : 1.0); });
+  for (Row& row : rows.all()) {
+    std::erase_if(row.beside, [](const Beside& point) {
+      return point.distance > 3.5 * kPitch && point.distance < 5.5 * kPitch;
+    });
+  }
+  const MixedPixels found = mixed_pixels(rows, kTolerance, kPitch);
+  // Half a pitch beyond the ends of the rows is counted where there are no mixed pixels too.
+  CHECK(found.reach + 0.5 * kPitch == Approx(4.5 * kPitch));
+  // Behind the shadow of a second eye nothing tells how far the outline lies.
+  for (Row& row : rows.all()) {
+    std::erase_if(row.beside, [](const Beside& point) {
+      return point.distance > 3.5 * kPitch && point.distance < 9.5 * kPitch;
+    });
+  }
+  CHECK(mixed_pixels(rows, kTolerance, kPitch).reach == Approx(3.0 * kPitch));
+}
+
 TEST_CASE("rows do not tell if the background is near, slanted or not seen", "[boxes][mixed]") {
   const auto rows_that_tell = [](const auto& height) {
     return mixed_pixels(rows_with(height), kTolerance, kPitch).rows;
