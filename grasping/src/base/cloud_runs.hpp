@@ -49,6 +49,31 @@ class CloudRuns {
     }
   }
 
+  /// Calls visit(n), in ascending order, for the index of each point in any of the boxes. No point
+  /// may be missing.
+  template <class Visit>
+  void each_in_any(std::span<const Eigen::AlignedBox3f> boxes_C, Visit&& visit) const {
+    std::vector<Eigen::AlignedBox3f> near;
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+      const Run& run = runs_.data()[r];
+      near.clear();
+      bool all = false;
+      for (const Eigen::AlignedBox3f& box : boxes_C) {
+        const Eigen::Array3f low = box.min(), high = box.max();
+        if ((run.low > high).any() || (run.high < low).any()) continue;
+        near.push_back(box);
+        all |= (run.low >= low).all() && (run.high <= high).all();
+      }
+      if (near.empty()) continue;
+      const std::size_t end = std::min((r + 1) * kRun, points_C_.size());
+      for (std::size_t n = r * kRun; n < end; ++n) {
+        const Eigen::Vector3f& p_C = points_C_.data()[n];
+        const auto holds = [&](const Eigen::AlignedBox3f& box) { return box.contains(p_C); };
+        if (all || std::any_of(near.begin(), near.end(), holds)) visit(n);
+      }
+    }
+  }
+
   /// Returns the number of points in the runs that meet the box: at least as many as are in it, at
   /// a thirtieth of the cost of looking at each.
   std::size_t count_near(const Eigen::AlignedBox3f& box_C) const {

@@ -1,31 +1,15 @@
 #include "base/point_buckets.hpp"
 
-#include <algorithm>
-#include <utility>
+#include "base/sorted_keys.hpp"
 
 namespace quadrille {
-namespace {
-
-// Cubes are shifted by this share of their edge. Many sensors measure whole millimetres: without
-// the shift such points lie on the borders of cubes, where rounding decides to which one they
-// belong.
-constexpr double kShift = 0.37;
-// A key has so many bits for each axis. The places of cubes are limited so that they fit, and that
-// their neighbours do.
-constexpr int kBits = 21;
-constexpr double kFarthest = (1 << (kBits - 1)) - 2;
-constexpr PointBuckets::Key kAlongX = PointBuckets::Key{1} << (2 * kBits),
-                            kAlongY = PointBuckets::Key{1} << kBits;
-
-}  // namespace
-
 PointBuckets::PointBuckets(std::span<const Eigen::Vector3d> points_C, double edge) {
-  std::vector<std::pair<Key, int>> keyed;
+  std::vector<Keyed> keyed;
   keyed.reserve(points_C.size());
   for (const Eigen::Vector3d& p : points_C) {
-    keyed.emplace_back(key_of(p, edge), static_cast<int>(keyed.size()));
+    keyed.push_back({key_of(p, edge), static_cast<int>(keyed.size())});
   }
-  std::sort(keyed.begin(), keyed.end());
+  sort_by_key(&keyed);
   points_.reserve(keyed.size());
   for (const auto& [key, i] : keyed) {
     if (keys_.empty() || key != keys_.back()) {
@@ -35,14 +19,6 @@ PointBuckets::PointBuckets(std::span<const Eigen::Vector3d> points_C, double edg
     points_.push_back(i);
   }
   first_.push_back(points_.size());
-}
-
-PointBuckets::Key PointBuckets::key_of(const Eigen::Vector3d& p_C, double edge) {
-  // Truncation rounds down, since all values are positive by then.
-  const Eigen::Array3d cube = (p_C / edge).array() + kShift;
-  const Eigen::Array3d from_end = cube.max(-kFarthest).min(kFarthest) + (kFarthest + 2.0);
-  return static_cast<Key>(from_end.x()) * kAlongX + static_cast<Key>(from_end.y()) * kAlongY +
-         static_cast<Key>(from_end.z());
 }
 
 std::vector<PointBuckets::Near> PointBuckets::near_each() const {

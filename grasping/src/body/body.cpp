@@ -93,8 +93,7 @@ Eigen::AlignedBox3d Body::bounds_C() const {
   return {centre - half, centre + half};
 }
 
-bool Body::contains(const Eigen::Vector3d& p_C, double margin) const {
-  const Eigen::Vector3d p = X_CQ.inverse() * p_C;
+bool Body::contains_Q(const Eigen::Vector3d& p, double margin) const {
   if (p.z() < z_min - margin || p.z() > z_max + margin) return false;
   if (profile == Profile::kBox) {
     return std::abs(p.x()) <= a + margin && std::abs(p.y()) <= b + margin;

@@ -68,7 +68,11 @@ struct Body {
   /// Centre of the bounding box, in frame C [m].
   Eigen::Vector3d centre_C() const { return X_CQ * bounds_Q().center(); }
   /// Returns true if p_C lies within the body grown by `margin` [m] (along its semi-axes and ends).
-  bool contains(const Eigen::Vector3d& p_C, double margin = 0.0) const;
+  bool contains(const Eigen::Vector3d& p_C, double margin = 0.0) const {
+    return contains_Q(X_CQ.inverse() * p_C, margin);
+  }
+  /// The same for a point in frame Q.
+  bool contains_Q(const Eigen::Vector3d& p_Q, double margin) const;
 };
 
 /// Returns the same body with its z axis reversed.

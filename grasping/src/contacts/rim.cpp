@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace quadrille {
@@ -103,6 +105,27 @@ std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double
   return points;
 }
 
+/// Some points of the wall that follow each other, and the box around them. They mostly lie side by
+/// side, so that most lines are far from all of them.
+struct WallRun {
+  std::span<const WallPoint> points;
+  Eigen::AlignedBox3d bounds_C;
+};
+
+std::vector<WallRun> runs_of(std::span<const WallPoint> wall) {
+  constexpr std::size_t kRun = 16;
+  std::vector<WallRun> runs;
+  for (; !wall.empty(); wall = wall.subspan(runs.back().points.size())) {
+    WallRun& run = runs.emplace_back();
+    run.points = wall.first(std::min(kRun, wall.size()));
+    for (const WallPoint& point : run.points) run.bounds_C.extend(point.p_C);
+  }
+  return runs;
+}
+
+// Far more than what rounding changes in squares of some millimetres [m²].
+constexpr double kSlack = 1e-12;
+
 }  // namespace
 
 double rim_reach(const Gripper& gripper) { return kReachToPadWidth * gripper.pad.x(); }
@@ -123,17 +146,22 @@ std::vector<ContactLine> measured_lines(const Shell& shell, const Gripper& gripp
                                         const CloudRuns& cloud) {
   const double reach = rim_reach(gripper);
   const std::vector<WallPoint> wall = points_near(lines, reach, shell, cloud);
+  const std::vector<WallRun> runs = runs_of(wall);
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   std::vector<ContactLine> measured;
   for (ContactLine line : lines) {
-    const double middle_height = (X_QC * middle(line)).z();
+    const Eigen::Vector3d middle_C = middle(line);
+    const double middle_height = (X_QC * middle_C).z();
     int count = 0, above = 0;
     double sum = 0.0;
-    for (const WallPoint& point : wall) {
-      if ((point.p_C - middle(line)).squaredNorm() > reach * reach) continue;
-      ++count;
-      above += point.height > middle_height;
-      sum += point.beside * point.beside;
+    for (const WallRun& run : runs) {
+      if (run.bounds_C.squaredExteriorDistance(middle_C) > reach * reach + kSlack) continue;
+      for (const WallPoint& point : run.points) {
+        if ((point.p_C - middle_C).squaredNorm() > reach * reach) continue;
+        ++count;
+        above += point.height > middle_height;
+        sum += point.beside * point.beside;
+      }
     }
     if (above < kMinNear) continue;
     line.std = std::max(kMinStd, std::sqrt(sum / count));

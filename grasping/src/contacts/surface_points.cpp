@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <cstring>
 #include <limits>
 #include <tuple>
@@ -11,6 +10,7 @@
 
 #include "base/lanes.hpp"
 #include "base/point_buckets.hpp"
+#include "base/sorted_keys.hpp"
 
 namespace quadrille {
 namespace {
@@ -26,52 +26,73 @@ struct Thinned {
   std::vector<int> eyes;
 };
 
-/// Numbers different eyes by their positions.
-class Eyes {
- public:
-  explicit Eyes(std::span<const Eigen::Vector3d> eyes_C) {
-    for (const Eigen::Vector3d& eye_C : eyes_C) {
-      if (positions_C_.empty() || number_of(eye_C) < 0) positions_C_.push_back(eye_C);
+/// Numbers the different eyes by their positions.
+struct Eyes {
+  /// In the order of their coordinates.
+  std::vector<Eigen::Vector3d> positions_C;
+  /// For each point, the number of its eye.
+  std::vector<int> of_points;
+
+  /// @param eyes_C  those of `count` points, or a single one that saw all
+  Eyes(std::span<const Eigen::Vector3d> eyes_C, std::size_t count) {
+    if (eyes_C.size() == 1) {
+      positions_C.push_back(eyes_C.front());
+      of_points.assign(count, 0);
+      return;
     }
-    std::sort(positions_C_.begin(), positions_C_.end(), [](const auto& a, const auto& b) {
+    for (const Eigen::Vector3d& eye_C : eyes_C) {
+      // Most points follow one of their own eye.
+      if (positions_C.empty() || (eye_C != positions_C.back() && number_of(eye_C) < 0)) {
+        positions_C.push_back(eye_C);
+      }
+    }
+    std::sort(positions_C.begin(), positions_C.end(), [](const auto& a, const auto& b) {
       return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
     });
-  }
-
-  const std::vector<Eigen::Vector3d>& positions_C() const { return positions_C_; }
-  int number_of(const Eigen::Vector3d& eye_C) const {
-    const auto found = std::find(positions_C_.begin(), positions_C_.end(), eye_C);
-    return found == positions_C_.end() ? -1 : static_cast<int>(found - positions_C_.begin());
+    of_points.reserve(eyes_C.size());
+    for (const Eigen::Vector3d& eye_C : eyes_C) of_points.push_back(number_of(eye_C));
   }
 
  private:
-  std::vector<Eigen::Vector3d> positions_C_;
+  int number_of(const Eigen::Vector3d& eye_C) const {
+    const auto found = std::find(positions_C.begin(), positions_C.end(), eye_C);
+    return found == positions_C.end() ? -1 : static_cast<int>(found - positions_C.begin());
+  }
 };
 
-Thinned thinned(std::span<const Eigen::Vector3d> points, std::span<const Eigen::Vector3d> eyes_C,
-                const Eyes& eyes, double cell) {
-  struct Keyed {
-    PointBuckets::Key key;
-    int eye, point;
-    // clang-tidy takes the zero of a comparison for a pointer.
-    auto operator<=>(const Keyed&) const = default;  // NOLINT(modernize-use-nullptr)
-  };
-  std::vector<Keyed> keyed;
-  keyed.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    keyed.push_back(
-        {PointBuckets::key_of(points[i], cell), eyes.number_of(eyes_C[i]), static_cast<int>(i)});
+/// Returns the cells of points in ascending order, with the points of each in the order of their
+/// eyes, and those of an eye in the order in which they came.
+std::vector<Keyed> sorted_cells(std::span<const Eigen::Vector3d> points,
+                                std::span<const int> eye_of, int eyes, double cell) {
+  std::vector<Keyed> cells;
+  cells.reserve(points.size());
+  for (int eye = 0; eye < eyes; ++eye) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      // Unlike spans, pointers do not check each access.
+      if (eyes > 1 && eye_of.data()[i] != eye) continue;
+      cells.push_back({PointBuckets::key_of(points.data()[i], cell), static_cast<int>(i)});
+    }
   }
-  std::sort(keyed.begin(), keyed.end());
+  sort_by_key(&cells);
+  return cells;
+}
+
+Thinned thinned(std::span<const Eigen::Vector3d> points, std::span<const int> eye_of, int eyes,
+                double cell) {
+  const std::vector<Keyed> cells = sorted_cells(points, eye_of, eyes, cell);
   Thinned means;
-  for (auto first = keyed.begin(); first != keyed.end();) {
+  means.points.reserve(cells.size());
+  means.eyes.reserve(cells.size());
+  for (auto first = cells.begin(); first != cells.end();) {
+    const int eye = eye_of.data()[first->index];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     auto last = first;
-    for (; last != keyed.end() && last->key == first->key && last->eye == first->eye; ++last) {
-      sum += points[last->point];
+    for (; last != cells.end() && last->key == first->key && eye_of.data()[last->index] == eye;
+         ++last) {
+      sum += points.data()[last->index];
     }
     means.points.emplace_back(sum / static_cast<double>(last - first));
-    means.eyes.push_back(first->eye);
+    means.eyes.push_back(eye);
     first = last;
   }
   return means;
@@ -145,11 +166,11 @@ void sum_near(const Eigen::Vector3d* points, const int* eye_of, const PointBucke
 PointSurface::PointSurface(std::span<const Eigen::Vector3d> points_C, double cell,
                            std::span<const Eigen::Vector3d> eyes_C)
     : reach_(kReachInCells * cell) {
-  const Eyes eyes(eyes_C);
-  Thinned means = thinned(points_C, eyes_C, eyes, cell);
+  Eyes eyes(eyes_C, points_C.size());
+  Thinned means = thinned(points_C, eyes.of_points, static_cast<int>(eyes.positions_C.size()), cell);
   points_C_ = std::move(means.points);
   eye_of_ = std::move(means.eyes);
-  eyes_C_ = eyes.positions_C();
+  eyes_C_ = std::move(eyes.positions_C);
   buckets_ = PointBuckets(points_C_, reach_);
   near_ = buckets_.near_each();
   make_groups();

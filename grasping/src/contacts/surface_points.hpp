@@ -31,7 +31,8 @@ class PointSurface {
  public:
   /// @param points_C  positions, in frame C [m]
   /// @param cell  edge of a cell [m]; normals are taken over some three cells around a point
-  /// @param eyes_C  for each point, the position of the sensor that saw it [m]
+  /// @param eyes_C  for each point, the position of the sensor that saw it [m], or a single one for
+  ///   all points
   PointSurface(std::span<const Eigen::Vector3d> points_C, double cell,
                std::span<const Eigen::Vector3d> eyes_C);
   // Groups and rows refer to the memory of the buckets, which a move keeps and a copy would not.

@@ -14,11 +14,6 @@ namespace {
 // points [m].
 constexpr double kSamePlace = 1e-9;
 
-/// Returns true where the plane was seen. Beyond, voxels may hold other things of its height.
-bool was_seen_at(const SupportPlane& plane, const Eigen::Vector3d& p_C) {
-  return plane.seen_P.contains((plane.X_CP.inverse() * p_C).head<2>());
-}
-
 /// The planes on which targets stand, each once.
 std::vector<SupportPlane> all_supports(const SceneParts& parts) {
   std::vector<SupportPlane> planes;
@@ -87,9 +82,15 @@ void free_supports(SceneParts* parts, ObstacleMap* map) {
     const double reach = 0.5 * parts->space->resolution() * plane.n_C().cwiseAbs().sum();
     const double highest = plane.flatness() + reach;
     const VoxelsAbove above(plane, *parts, highest + reach);
-    map->free_occupied([&](const Eigen::Vector3d& centre_C) {
-      return std::abs(plane.distance(centre_C)) < highest && was_seen_at(plane, centre_C) &&
-             !above.contain(centre_C);
+    const Eigen::Isometry3d X_PC = plane.X_CP.inverse();
+    const double spread = plane.n_C().cwiseAbs().sum();
+    const auto may_free = [&](const Eigen::Vector3d& middle_C, double half) {
+      return std::abs(plane.distance(middle_C)) < highest + half * spread;
+    };
+    map->free_occupied(may_free, [&](const Eigen::Vector3d& centre_C) {
+      if (!(std::abs(plane.distance(centre_C)) < highest)) return false;
+      // Beyond where the plane was seen, voxels may hold other things of its height.
+      return plane.seen_P.contains((X_PC * centre_C).head<2>()) && !above.contain(centre_C);
     });
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -65,7 +66,13 @@ class ObstacleMap {
 
   /// Frees all occupied voxels for which frees(centre) holds.
   template <class Frees>
-  void free_occupied(Frees&& frees);
+  void free_occupied(Frees&& frees) {
+    free_occupied([](const Eigen::Vector3d&, double) { return true; }, frees);
+  }
+  /// Does the same, and asks first about whole cubes, given by their middle and half their edge
+  /// [m]. Where may_free(middle, half) is false, frees() is for no voxel in the cube true.
+  template <class MayFree, class Frees>
+  void free_occupied(MayFree&& may_free, Frees&& frees);
 
   /// Frees unknown voxels that the sensor of a view could not see because the body stood in front
   /// of them.
@@ -148,6 +155,8 @@ class ObstacleMap {
   template <class Frees>
   void free(const Range& range, Frees&& frees);
   template <class Frees>
+  bool free_occupied_in(Block& block, const Eigen::Vector3i& first, Frees&& frees);
+  template <class Frees>
   void free_in(Block& block, const Eigen::Vector3i& first, const Range& range, Frees&& frees);
   Eigen::Vector3d centre(int i, int j, int k) const {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
@@ -219,23 +228,38 @@ void ObstacleMap::free_in(Block& block, const Eigen::Vector3i& first, const Rang
   }
 }
 
-template <class Frees>
-void ObstacleMap::free_occupied(Frees&& frees) {
+template <class MayFree, class Frees>
+void ObstacleMap::free_occupied(MayFree&& may_free, Frees&& frees) {
   last_ = {};
+  const double reach = 0.5 * kEdge * resolution_;
   each_cube(Eigen::Vector3i::Zero(), size_, kEdge, [&](const Eigen::Vector3i& first) {
     Block* block = block_of(first);
     if (block == nullptr || !(block->flags.back() & kAnyOccupied)) return;
-    bool changed = false;
-    for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
-      const int i = n % kEdge, j = n / kEdge % kEdge, k = n / (kEdge * kEdge);
-      std::uint8_t& flags = block->flags.data()[n];
-      if (!(flags & kAnyOccupied)) continue;
+    const Eigen::Vector3d middle =
+        corner_ + resolution_ * (first.cast<double>().array() + 0.5 * kEdge).matrix();
+    if (!may_free(middle, reach) || !free_occupied_in(*block, first, frees)) return;
+    block->refresh();
+  });
+}
+
+/// Frees such voxels of a block, given by its first voxel.
+/// @return whether there were any
+template <class Frees>
+bool ObstacleMap::free_occupied_in(Block& block, const Eigen::Vector3i& first, Frees&& frees) {
+  bool changed = false;
+  for (int row = 0; row < kEdge * kEdge; ++row) {
+    const int j = row % kEdge, k = row / kEdge;
+    std::uint8_t* flags = block.row(0, j, k);
+    // Most rows hold nothing.
+    if (!any_set(flags, kEdge)) continue;
+    for (int i = 0; i < kEdge; ++i) {
+      if (!(flags[i] & kAnyOccupied)) continue;
       if (!frees(centre(first.x() + i, first.y() + j, first.z() + k))) continue;
-      flags = 0;
+      flags[i] = 0;
       changed = true;
     }
-    if (changed) block->refresh();
-  });
+  }
+  return changed;
 }
 
 template <class Keep>
@@ -244,7 +268,10 @@ void ObstacleMap::carve(const Body& body, double margin, Keep&& keep) {
   box.min().array() -= margin;
   box.max().array() += margin;
   const Range range = voxels(box);
-  free(range, [&](const Eigen::Vector3d& c) { return body.contains(c, margin) && !keep(c); });
+  const Eigen::Isometry3d X_QC = body.X_CQ.inverse();
+  free(range, [&](const Eigen::Vector3d& c) {
+    return body.contains_Q(X_QC * c, margin) && !keep(c);
+  });
   refresh(range);
 }
 

@@ -67,7 +67,11 @@ void mark_connected(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_b
 TargetPoints points_about(const Target& target, const SceneParts& parts) {
   TargetPoints found{parts.surfaces.about(target, parts).within(surroundings_of(target, parts)),
                      {}};
-  for (const Eigen::Vector3d& p : found.all.p_C) found.own.push_back(target.body.contains(p, kOwn));
+  const Eigen::Isometry3d X_QC = target.body.X_CQ.inverse();
+  found.own.reserve(found.all.p_C.size());
+  for (const Eigen::Vector3d& p_C : found.all.p_C) {
+    found.own.push_back(target.body.contains_Q(X_QC * p_C, kOwn));
+  }
   if (target.whole) return found;
   const auto of_no_other = [&](const Eigen::Vector3d& p_C) {
     return std::none_of(parts.targets.begin(), parts.targets.end(), [&](const Target& other) {

@@ -61,11 +61,18 @@ class UnexplainedVoxels {
   UnexplainedVoxels(const Target& target, const SceneParts& parts)
       : edge_(parts.space->resolution()) {
     const double explained = explained_distance(target, parts);
+    const Eigen::Isometry3d X_QC = target.body.X_CQ.inverse();
     const Eigen::AlignedBox3f near =
         around(target.body, carve_margin(parts, target) + edge_).cast<float>();
+    // Points that follow each other mostly lie in the same voxel.
+    VoxelKey last_key{};
+    int* last = nullptr;
     parts.points.runs.each_in(near, [&](std::size_t n) {
       const Eigen::Vector3d p_C = parts.points.p_C[n].cast<double>();
-      outside_[voxel_key(p_C, edge_)] += target.body.contains(p_C, explained) ? -1 : 1;
+      const VoxelKey key = voxel_key(p_C, edge_);
+      if (last == nullptr || key != last_key) last = &outside_[key];
+      last_key = key;
+      *last += target.body.contains_Q(X_QC * p_C, explained) ? -1 : 1;
     });
   }
 

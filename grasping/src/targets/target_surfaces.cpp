@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "targets/scene_parts.hpp"
 
@@ -30,31 +29,30 @@ bool are_same(const std::vector<SupportPlane>& a, const std::vector<SupportPlane
          });
 }
 
-/// Marks the points about the targets that stand on some planes.
-std::vector<std::uint8_t> about_targets(const std::vector<SupportPlane>& supports,
-                                        const SceneParts& parts) {
-  std::vector<std::uint8_t> marks(parts.points.p_C.size(), 0);
+/// The surroundings of the targets that stand on some planes.
+std::vector<Eigen::AlignedBox3f> about_targets(const std::vector<SupportPlane>& supports,
+                                               const SceneParts& parts) {
+  std::vector<Eigen::AlignedBox3f> boxes;
   for (const Target& target : parts.targets) {
     if (!are_same(target.supports, supports)) continue;
-    parts.points.runs.each_in(surroundings_of(target, parts).cast<float>(),
-                              [&](std::size_t n) { marks.data()[n] = 1; });
+    boxes.push_back(surroundings_of(target, parts).cast<float>());
   }
-  return marks;
+  return boxes;
 }
 
 PointSurface surface_above(const std::vector<SupportPlane>& supports, const SceneParts& parts) {
-  const std::vector<std::uint8_t> marks = about_targets(supports, parts);
+  const bool one_view = parts.views.size() == 1;
   std::vector<Eigen::Vector3d> points, eyes;
-  for (std::size_t n = 0; n < marks.size(); ++n) {
-    if (marks.data()[n] == 0) continue;
+  if (one_view) eyes.push_back(parts.views.front().p_CV());
+  parts.points.runs.each_in_any(about_targets(supports, parts), [&](std::size_t n) {
     const Eigen::Vector3d p_C = parts.points.p_C[n].cast<double>();
     const auto holds_up = [&](const SupportPlane& plane) {
       return plane.distance(p_C) < kOnSupport;
     };
-    if (std::any_of(supports.begin(), supports.end(), holds_up)) continue;
+    if (std::any_of(supports.begin(), supports.end(), holds_up)) return;
     points.push_back(p_C);
-    eyes.push_back(parts.views[parts.points.view[n]].p_CV());
-  }
+    if (!one_view) eyes.push_back(parts.views[parts.points.view[n]].p_CV());
+  });
   return PointSurface(points, kCell, eyes);
 }
 
