@@ -1,7 +1,6 @@
 #include "contacts/pad_cover.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace quadrille {
@@ -18,15 +17,6 @@ PadCover::PadCover(double x, double tip, const Gripper& gripper)
       z_edge_(2.0 * gripper.finger_front / kAlong) {
   low_.fill(kInfinity);
   high_.fill(-kInfinity);
-}
-
-void PadCover::add(const Eigen::Vector3d& p_G) {
-  const double across = std::floor((p_G.x() - x_min_) / x_edge_);
-  const double along = std::floor((p_G.z() - z_min_) / z_edge_);
-  if (!(across >= 0.0 && across < kAcross && along >= 0.0 && along < kAlong)) return;
-  const auto cell = static_cast<std::size_t>(along * kAcross + across);
-  low_[cell] = std::min(low_[cell], p_G.y());
-  high_[cell] = std::max(high_[cell], p_G.y());
 }
 
 double PadCover::filled() const {

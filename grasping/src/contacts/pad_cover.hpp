@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -21,7 +22,16 @@ class PadCover {
   PadCover(double x, double tip, const Gripper& gripper);
 
   /// Adds a point between the pads, given along the axes of G [m].
-  void add(const Eigen::Vector3d& p_G);
+  void add(const Eigen::Vector3d& p_G) {
+    const double across = (p_G.x() - x_min_) / x_edge_, along = (p_G.z() - z_min_) / z_edge_;
+    if (!(across >= 0.0 && across < kAcross && along >= 0.0 && along < kAlong)) return;
+    // Truncation rounds down, since both are positive. Unlike std::floor(), it is no function call
+    // on plain x86-64, and unlike arrays, pointers do not check each access.
+    const int cell = static_cast<int>(along) * kAcross + static_cast<int>(across);
+    double &low = low_.data()[cell], &high = high_.data()[cell];
+    low = std::min(low, p_G.y());
+    high = std::max(high, p_G.y());
+  }
   /// Returns the share of the area between which there are points.
   double filled() const;
   /// Returns the share of the area at which points reach out nearly as far as the outermost one

@@ -46,8 +46,10 @@ class UniformCubes {
 
   explicit UniformCubes(const OccupancyGrid& grid) : size_(grid.size().array() / kEdge) {
     states_.reserve(static_cast<std::size_t>(size_.prod()));
-    each_cube(Eigen::Vector3i::Zero(), grid.size(), kEdge,
-              [&](const Eigen::Vector3i& low) { states_.push_back(state_of_cube(grid, low)); });
+    const std::vector<Voxel>& states = grid.states();
+    each_cube(Eigen::Vector3i::Zero(), grid.size(), kEdge, [&](const Eigen::Vector3i& low) {
+      states_.push_back(state_of_cube(grid, states, low));
+    });
   }
 
   /// Returns the state that all voxels from `low` to `high` share, if they lie in cubes that have
@@ -72,8 +74,9 @@ class UniformCubes {
   }
 
  private:
-  static std::optional<Voxel> state_of_cube(const OccupancyGrid& grid, const Eigen::Vector3i& low) {
-    const std::vector<Voxel>& states = grid.states();
+  static std::optional<Voxel> state_of_cube(const OccupancyGrid& grid,
+                                            const std::vector<Voxel>& states,
+                                            const Eigen::Vector3i& low) {
     const Voxel first = states[grid.index(low.x(), low.y(), low.z())];
     for (int k = low.z(); k < low.z() + kEdge; ++k) {
       for (int j = low.y(); j < low.y() + kEdge; ++j) {

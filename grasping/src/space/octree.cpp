@@ -1,5 +1,11 @@
 #include <octomap/OcTree.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
 #include "quadrille/grasping/occupancy.hpp"
 #include "space/each_cube.hpp"
 
@@ -17,11 +23,35 @@ class RootedTree : public octomap::OcTree {
   }
 };
 
+/// The states of a grid for the octree, which has no clear voxels.
+std::vector<Voxel> seen_states(const OccupancyGrid& grid) {
+  std::vector<Voxel> states = grid.states();
+  std::replace(states.begin(), states.end(), Voxel::kClear, Voxel::kUnknown);
+  return states;
+}
+
+/// Returns true if some voxels side by side, 1, 2 or a multiple of 4, have one state.
+bool are_all(Voxel state, const Voxel* row, int count) {
+  if (count < 4) return std::count(row, row + count, state) == count;
+  constexpr std::uint32_t kEachByte = 0x01010101;
+  std::uint32_t differs = 0;
+  // Four voxels at once.
+  for (int i = 0; i < count; i += 4) {
+    std::uint32_t four = 0;
+    std::memcpy(&four, row + i, sizeof(four));
+    differs |= four ^ (static_cast<std::uint32_t>(state) * kEachByte);
+  }
+  return differs == 0;
+}
+static_assert(sizeof(Voxel) == 1);
+
 /// Writes one grid into a tree, block by block, because OctoMap's own ray insertion takes seconds.
 class TreeWriter {
  public:
   explicit TreeWriter(const OccupancyGrid& grid)
-      : grid_(grid), tree_(std::make_shared<octomap::OcTree>(grid.resolution())) {}
+      : grid_(grid),
+        states_(seen_states(grid)),
+        tree_(std::make_shared<octomap::OcTree>(grid.resolution())) {}
 
   std::shared_ptr<octomap::OcTree> write() {
     each_cube(Eigen::Vector3i::Zero(), grid_.size(), OccupancyGrid::kBlock,
@@ -33,18 +63,12 @@ class TreeWriter {
   }
 
  private:
-  // The state for the octree, which has no clear voxels.
-  static Voxel seen(Voxel state) { return state == Voxel::kClear ? Voxel::kUnknown : state; }
-
   /// Returns the state that all voxels of the cube share, or −1.
   int uniform(const Eigen::Vector3i& low, int edge) const {
-    const Voxel first = seen(grid_.at(low.x(), low.y(), low.z()));
+    const Voxel first = states_.data()[grid_.index(low.x(), low.y(), low.z())];
     for (int k = low.z(); k < low.z() + edge; ++k) {
       for (int j = low.y(); j < low.y() + edge; ++j) {
-        const Voxel* row = &grid_.states()[grid_.index(low.x(), j, k)];
-        for (int i = 0; i < edge; ++i) {
-          if (seen(row[i]) != first) return -1;
-        }
+        if (!are_all(first, states_.data() + grid_.index(low.x(), j, k), edge)) return -1;
       }
     }
     return static_cast<int>(first);
@@ -89,6 +113,7 @@ class TreeWriter {
   }
 
   const OccupancyGrid& grid_;
+  const std::vector<Voxel> states_;
   std::shared_ptr<octomap::OcTree> tree_;
 };
 

@@ -45,6 +45,7 @@ class PlannerNode : public Node {
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
   std::vector<Job> find_due_jobs(Time now) override;
+  std::optional<Job> find_early_job() override;
   std::optional<Job> find_spare_job() override;
   std::string publish_status(const RunState& run) override;
   std::string summary() const override;
@@ -84,6 +85,8 @@ class PlannerNode : public Node {
 
   mutable std::mutex mutex_;
   Pairing pairing_;
+  /// The last cloud that was prepared before its quadrics came.
+  PairPlanner::SharedCloud early_;
   RecentMessages<bus::BoxesMessage> boxes_;
   RecentMessages<bus::BodiesMessage> bodies_;
   RecentMessages<bus::BodyTracksMessage> body_tracks_;

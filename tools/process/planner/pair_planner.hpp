@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "quadrille/detector/view_memory.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
+#include "quadrille/grasping/seen_cloud.hpp"
 
 namespace quadrille {
 
@@ -27,6 +29,12 @@ class PairPlanner {
   /// The settings must outlive this object.
   explicit PairPlanner(const PlannerSettings& settings)
       : settings_(settings), memory_(settings.detector) {}
+
+  using SharedCloud = std::shared_ptr<const bus::CloudMessage>;
+
+  /// Does what a plan on a cloud takes and its quadrics do not change, before these come. It
+  /// changes no plan. If quadrics come for few clouds, it does nothing for most.
+  void prepare(const SharedCloud& cloud, const Placement& placement);
 
   /// Returns the plan in the frame of the results; it has no grasps if the camera's pose is not
   /// known.
@@ -63,6 +71,7 @@ class PairPlanner {
   GraspPlan plan_in_camera(const SharedPair& pair, const Known& known, const GraspQuery& query,
                            bool advise);
 
+  SeenCloud take_seen(const CloudAndQuadrics& pair);
   void fit_views(std::size_t views, const GraspPlan& plan);
 
   const PlannerSettings& settings_;
@@ -73,6 +82,13 @@ class PairPlanner {
   Surroundings of_scene_;
   /// What earlier clouds showed.
   ViewMemory memory_;
+  /// A cloud that was prepared, and what was made of it.
+  struct Prepared {
+    SharedCloud cloud;
+    SeenCloud seen;
+  };
+  /// Clouds whose quadrics have not come, the oldest first.
+  std::deque<Prepared> prepared_;
   /// Largest number of views for which there is time.
   std::size_t max_views_ = std::numeric_limits<std::size_t>::max();
   ForgottenTime forgotten_;

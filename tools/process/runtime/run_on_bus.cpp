@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "link/connection.hpp"
 #include "link/receiver.hpp"
@@ -39,7 +40,9 @@ class Inbox {
 
   void take(const std::string& channel, std::span<const std::byte> bytes) {
     const std::lock_guard lock(mutex_);
-    for (Job& job : node_.take(now(), channel, bytes)) hand_over(job, mailbox_);
+    std::vector<Job> jobs = node_.take(now(), channel, bytes);
+    if (jobs.empty()) mailbox_.wake();
+    for (Job& job : jobs) hand_over(job, mailbox_);
   }
 
   /// Passes on the jobs that have waited long enough.

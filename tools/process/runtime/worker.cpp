@@ -4,6 +4,12 @@
 #include <sys/resource.h>
 
 namespace quadrille {
+namespace {
+
+// A node without a job for so long counts as idle.
+constexpr std::chrono::milliseconds kRest(100);
+
+}  // namespace
 
 Worker::Worker(bus::Mailbox<Job>& mailbox, Node& node, int niceness)
     : mailbox_(mailbox), node_(node), niceness_(niceness), thread_([this] { run(); }) {}
@@ -26,10 +32,16 @@ void Worker::run() {
   // On Linux each thread has its own niceness, so the receiving thread keeps its own. A failure
   // costs only speed.
   if (niceness_ > 0) setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + niceness_);
+  auto last_job = std::chrono::steady_clock::now();
   while (!stop_) {
-    auto job = mailbox_.take(std::chrono::milliseconds(100));
-    if (!job) job = node_.find_spare_job();
-    if (job) node_.work(*job);
+    bool woken = false;
+    auto job = mailbox_.take(kRest, &woken);
+    if (!job && woken) job = node_.find_early_job();
+    const bool is_idle = std::chrono::steady_clock::now() - last_job >= kRest;
+    if (!job && is_idle) job = node_.find_spare_job();
+    if (!job) continue;
+    node_.work(*job);
+    last_job = std::chrono::steady_clock::now();
   }
   ended_.set_value();
 }
