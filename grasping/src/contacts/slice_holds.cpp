@@ -83,7 +83,6 @@ void SliceHolds::set_orientation(const Eigen::Matrix3d& R_CG, const SortedPoints
 void SliceHolds::find(const FingerSlice& slice, std::vector<SliceHold>& found) {
   if (slice.points.size() < kMinBetween) return;
   points_of_slice_ = slice.points;
-  are_placed_ = false;
   find_runs(slice);
   for (std::size_t n = 0; n < kDepths; ++n) {
     // The support may stop the tips at one place for several depths.
@@ -162,33 +161,18 @@ std::size_t SliceHolds::start_of_tail(const Run& run) const {
 
 /// Returns some of the points that the fingers reach, in the frame of the hand.
 std::span<const BetweenPads> SliceHolds::in_hand(std::size_t first, std::size_t last) {
-  place_points();
   if (between_.size() < last + 1 - first) between_.resize(last + 1 - first);
   const Eigen::Matrix3d R_GC = R_CG_.transpose();
   // Unlike vectors, these do not check each access.
-  const Eigen::Vector3d *positions_G = positions_G_.data(), *normals_C = points_.n_C.data();
+  const Eigen::Vector3d *offsets_C = offsets_C_.data(), *normals_C = points_.n_C.data();
   BetweenPads* between = between_.data();
   std::size_t count = 0;
   for (std::size_t k = first; k <= last; ++k) {
     if (!reached_by_fingers(k)) continue;
     const std::size_t i = index(k);
-    between[count++] = {positions_G[k], R_GC * normals_C[i], own_.data()[i] != 0};
+    between[count++] = {R_GC * offsets_C[i], R_GC * normals_C[i], own_.data()[i] != 0};
   }
   return {between, count};
-}
-
-/// Finds the positions of the points of a slice along the axes of the hand, unless they are known
-/// already. Most slices give no hold that needs them.
-void SliceHolds::place_points() {
-  if (are_placed_) return;
-  are_placed_ = true;
-  const std::size_t count = points_of_slice_.size();
-  if (positions_G_.size() < count) positions_G_.resize(count);
-  const Eigen::Matrix3d R_GC = R_CG_.transpose();
-  // Unlike vectors, these do not check each access.
-  const Eigen::Vector3d* offsets_C = offsets_C_.data();
-  Eigen::Vector3d* positions_G = positions_G_.data();
-  for (std::size_t k = 0; k < count; ++k) positions_G[k] = R_GC * offsets_C[index(k)];
 }
 
 /// Looks at the points of a range of a run near the outermost one: how they face the pad there, as
@@ -250,9 +234,10 @@ void SliceHolds::hold(double x, double tip, const Run& run, std::vector<SliceHol
   // The highest point of the run, along the approach.
   double top = tip;
   PadCover cover(x, tip, gripper_);
+  const Eigen::Matrix3d R_GC = R_CG_.transpose();
   for (std::size_t k = run.first; k <= run.last; ++k) {
     if (!reached_by_fingers(k)) continue;
-    const Eigen::Vector3d& p_G = positions_G_.data()[k];
+    const Eigen::Vector3d p_G = R_GC * offsets_C_.data()[index(k)];
     top = std::min(top, p_G.z());
     cover.add(p_G);
   }

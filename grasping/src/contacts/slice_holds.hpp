@@ -90,7 +90,6 @@ class SliceHolds {
   std::size_t end_of_head(const Run& run) const;
   std::size_t start_of_tail(const Run& run) const;
   std::span<const BetweenPads> in_hand(std::size_t first, std::size_t last);
-  void place_points();
   Glance glance(std::size_t first, std::size_t last, std::size_t outermost, double sign) const;
   bool may_hold(const Run& run, std::size_t head, std::size_t tail) const;
   void hold(double x, double tip, const Run& run, std::vector<SliceHold>& found);
@@ -120,10 +119,6 @@ class SliceHolds {
   /// How far tips and roots reach at each depth [m], and the runs of the points in between.
   std::array<float, kDepths> tips_{}, roots_{};
   FingerRuns runs_;
-  /// The positions of the points of a slice along the axes of the hand, from the target's centre on
-  /// [m], and whether they are those of this slice.
-  std::vector<Eigen::Vector3d> positions_G_;
-  bool are_placed_ = false;
   /// Points of one run.
   std::vector<BetweenPads> between_;
 };

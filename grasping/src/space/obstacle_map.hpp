@@ -70,7 +70,7 @@ class ObstacleMap {
     free_occupied([](const Eigen::Vector3d&, double) { return true; }, frees);
   }
   /// Does the same, and asks first about whole cubes, given by their middle and half their edge
-  /// [m]. Where may_free(middle, half) is false, frees() is for no voxel in the cube true.
+  /// [m]: if may_free(middle, half) is false, frees() is true for no voxel in the cube.
   template <class MayFree, class Frees>
   void free_occupied(MayFree&& may_free, Frees&& frees);
 

@@ -156,11 +156,15 @@ std::uint8_t ObstacleMap::descend(const Query& query, const Cube& cube,
     }
     return met;
   }
+  const int edge = kEdge >> (cube.level - 1);
+  const std::uint8_t* parts =
+      cube.block.row(cube.level - 1, 2 * cube.here.y(), 2 * cube.here.z()) + 2 * cube.here.x();
   for (int n = 0; n < 8; ++n) {
-    const Eigen::Vector3i eighth = eighth_of_cube(n), here = 2 * cube.here + eighth;
-    if (cube.block.row(cube.level - 1, here.y(), here.z())[here.x()] == 0) continue;
+    const Eigen::Vector3i eighth = eighth_of_cube(n);
+    // Most eighths hold nothing.
+    if (parts[eighth.x() + edge * (eighth.y() + edge * eighth.z())] == 0) continue;
     const Offset there = offset + static_cast<float>(0.5 * h) * query.to_eighth[n];
-    const Cube part{cube.block, cube.level - 1, here, 2 * cube.at + eighth};
+    const Cube part{cube.block, cube.level - 1, 2 * cube.here + eighth, 2 * cube.at + eighth};
     if (const std::uint8_t hit = descend(query, part, there)) return hit;
   }
   return 0;

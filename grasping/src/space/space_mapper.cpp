@@ -90,22 +90,21 @@ void SpaceMapper::mark_free(const DepthView& view, const std::vector<char>& mark
   });
   // Blocks have no voxel in common.
   parallel_for(static_cast<int>(blocks.size()), threads_,
-               [&](int n) { mark_free(view, blocks[n]); });
-}
-
-void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& block) {
-  mark_free(view, block, kBlock);
+               [&](int n) { mark_free(view, blocks[n], kAllEighths); });
 }
 
 /// Works top-down: a block that the image shows at once to be free or hidden is not divided.
-void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge) {
-  if (is_known(low, edge)) return;
-  const Eigen::Vector3d p_V = middle_V(view, low, edge);
-  const Eigen::Vector3d reach = view.reach(0.5 * edge * grid_.resolution());
+void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& block, unsigned eighths) {
+  constexpr int kHalf = kBlock / 2;
+  if (is_known(block, kBlock)) return;
+  const Eigen::Vector3d p_V = middle_V(view, block, kBlock);
+  const Eigen::Vector3d reach = view.reach(0.5 * kBlock * grid_.resolution());
   const DepthRange range = view.range(p_V, reach);
   if (p_V.z() - reach.z() > range.max) return;
-  if (p_V.z() + reach.z() < range.min) return fill_free(low, edge);
-  mark_eighths(view, low, edge / 2, p_V);
+  if (p_V.z() + reach.z() >= range.min) return mark_eighths(view, block, kHalf, p_V, eighths);
+  for (int n = 0; n < 8; ++n) {
+    if (eighths >> n & 1u) fill_free(block + kHalf * eighth_of_cube(n), kHalf);
+  }
 }
 
 /// True if each voxel of a cube is free or occupied, as after other views.
@@ -119,9 +118,9 @@ bool SpaceMapper::is_known(const Eigen::Vector3i& low, int edge) const {
   return true;
 }
 
-/// Marks the eighths, of a given edge, of the cube around the point p_V of the view.
+/// Marks eighths, of a given edge, of the cube around the point p_V of the view.
 void SpaceMapper::mark_eighths(const DepthView& view, const Eigen::Vector3i& low, int edge,
-                               const Eigen::Vector3d& p_V) {
+                               const Eigen::Vector3d& p_V, unsigned eighths) {
   const double half = 0.5 * edge * grid_.resolution();
   const Eigen::Matrix3d axes_V = view.axes() * half;
   DepthView::EightPoints eight;
@@ -134,6 +133,7 @@ void SpaceMapper::mark_eighths(const DepthView& view, const Eigen::Vector3i& low
   const Eigen::Vector3d reach = view.reach(half);
   const std::array<DepthRange, 8> ranges = view.ranges(eight, reach);
   for (int n = 0; n < 8; ++n) {
+    if (!(eighths >> n & 1u)) continue;
     const Eigen::Vector3i at = low + edge * eighth_of_cube(n);
     // Depths that are equal to within the rounding of floats are compared exactly, by sees_past().
     const double z = eight.z[n], slack = reach.z() + kFloatRounding * (1.0 + z);
@@ -146,7 +146,8 @@ void SpaceMapper::mark_eighths(const DepthView& view, const Eigen::Vector3i& low
     } else if (free) {
       fill_free(at, edge);
     } else if (!is_known(at, edge)) {
-      mark_eighths(view, at, edge / 2, p_V + axes_V * cube_corner(static_cast<unsigned>(n)));
+      mark_eighths(view, at, edge / 2, p_V + axes_V * cube_corner(static_cast<unsigned>(n)),
+                   kAllEighths);
     }
   }
 }
@@ -169,9 +170,17 @@ void SpaceMapper::mark_occupied(const PointCloud& cloud,
     const int* number = numbers.data();
     for (std::size_t n = first; n < first + count; ++n, number += 3) {
       const int i = number[0] - corner.x(), j = number[1] - corner.y(), k = number[2] - corner.z();
-      if (i < 0 || j < 0 || k < 0 || i >= size.x() || j >= size.y() || k >= size.z()) continue;
+      // As unsigned numbers, negative ones are too large.
+      const auto beyond = [](int x, int count) {
+        return static_cast<unsigned>(x) >= static_cast<unsigned>(count);
+      };
+      if (beyond(i, size.x()) || beyond(j, size.y()) || beyond(k, size.z())) continue;
       if (left[n]) continue;
-      states[grid_.index(i, j, k)] = Voxel::kOccupied;
+      // No grid has so many voxels that their number needs more bits.
+      Voxel& state = states[(k * size.y() + j) * size.x() + i];
+      // Points that follow each other mostly lie in the same voxel.
+      if (state == Voxel::kOccupied) continue;
+      state = Voxel::kOccupied;
       const auto block = [](int x) { return static_cast<std::size_t>(x) / kBlock; };
       occupied[(block(k) * block(size.y()) + block(j)) * block(size.x()) + block(i)] = 1;
     }

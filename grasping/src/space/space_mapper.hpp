@@ -83,8 +83,10 @@ class SpaceMapper {
   }
   /// Returns true if free space is sought in a block, given by its first voxel.
   bool wanted(const Eigen::Vector3i& block) const;
-  /// Marks the free voxels of a block.
-  void mark_free(const DepthView& view, const Eigen::Vector3i& block);
+  /// Marks the free voxels of some eighths of a block.
+  /// @param eighths  bit n is set for the eighth eighth_of_cube(n)
+  void mark_free(const DepthView& view, const Eigen::Vector3i& block, unsigned eighths);
+  static constexpr unsigned kAllEighths = 0xff;
   /// Marks the free voxels of all wanted blocks, except those that are marked already.
   /// @param marked  nonzero for such blocks, by index; empty if there are none
   void mark_free(const DepthView& view, const std::vector<char>& marked);
@@ -99,10 +101,9 @@ class SpaceMapper {
   struct Tile;
   void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& left_out);
   static constexpr int kBlock = OccupancyGrid::kBlock;
-  void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
   bool is_known(const Eigen::Vector3i& low, int edge) const;
   void mark_eighths(const DepthView& view, const Eigen::Vector3i& low, int edge,
-                    const Eigen::Vector3d& p_V);
+                    const Eigen::Vector3d& p_V, unsigned eighths);
   void fill_free(const Eigen::Vector3i& low, int edge);
   template <class Visit>
   void each_voxel(const Eigen::AlignedBox3d& box_C, Visit&& visit);

@@ -12,6 +12,15 @@ namespace {
 // outside of this file sees it.
 constexpr Voxel kPending = static_cast<Voxel>(4);
 
+/// Edge of an eighth of a block.
+constexpr int kHalf = OccupancyGrid::kBlock / 2;
+
+/// Returns the number of the eighth of a block that holds a voxel; see eighth_of_cube().
+int eighth_with(const Eigen::Vector3i& voxel) {
+  const Eigen::Vector3i half = voxel / kHalf;
+  return half.x() % 2 + 2 * (half.y() % 2) + 4 * (half.z() % 2);
+}
+
 /// Threads look at voxels while others settle them.
 std::atomic_ref<Voxel> shared(Voxel& state) { return std::atomic_ref<Voxel>(state); }
 
@@ -27,12 +36,12 @@ OccupancyGrid::Source::Source(SpaceMapper mapper,
       evidence_(std::move(evidence)),
       decided_(mapper_.blocks()) {}
 
-std::atomic<bool>& OccupancyGrid::Source::decided(const Eigen::Vector3i& voxel) {
+std::atomic<std::uint8_t>& OccupancyGrid::Source::decided(const Eigen::Vector3i& voxel) {
   return decided_[mapper_.block_index(voxel)];
 }
 
 Voxel OccupancyGrid::Source::at(const Eigen::Vector3i& voxel) {
-  if (!decided(voxel).load(std::memory_order_acquire)) {
+  if (!(decided(voxel).load(std::memory_order_acquire) >> eighth_with(voxel) & 1u)) {
     const std::lock_guard lock(mutex_);
     decide(voxel);
   }
@@ -44,22 +53,28 @@ Voxel OccupancyGrid::Source::at(const Eigen::Vector3i& voxel) {
   return state.load(std::memory_order_relaxed);
 }
 
-/// Marks the free voxels of the block of a voxel, unless they are marked already.
+/// Marks the free voxels of the eighth of a block that holds a voxel, unless they are marked
+/// already.
 void OccupancyGrid::Source::decide(const Eigen::Vector3i& voxel) {
-  if (decided(voxel).load(std::memory_order_relaxed)) return;
+  std::atomic<std::uint8_t>& of_block = decided(voxel);
+  const unsigned known = of_block.load(std::memory_order_relaxed);
+  const int eighth = eighth_with(voxel);
+  if (known >> eighth & 1u) return;
+  const unsigned bit = 1u << eighth;
   const Eigen::Vector3i block = voxel / kBlock * kBlock;
   if (mapper_.wanted(block)) {
     for (const DepthView& view : *views_) {
-      if (view.valid()) mapper_.mark_free(view, block);
+      if (view.valid()) mapper_.mark_free(view, block, bit);
     }
     if (up_.known() && mapper_.is_beside(views_->front(), block)) {
-      each_cube(block, block.array() + kBlock, 1, [&](const Eigen::Vector3i& at) {
+      const Eigen::Vector3i low = voxel / kHalf * kHalf;
+      each_cube(low, low.array() + kHalf, 1, [&](const Eigen::Vector3i& at) {
         Voxel& state = mapper_.voxel(at.x(), at.y(), at.z());
         if (state == Voxel::kUnknown) state = kPending;
       });
     }
   }
-  decided(voxel).store(true, std::memory_order_release);
+  of_block.store(static_cast<std::uint8_t>(known | bit), std::memory_order_release);
 }
 
 /// Finds out whether a pending voxel is clear, and with it those below that decide it.
@@ -96,7 +111,9 @@ const std::vector<Voxel>& OccupancyGrid::Source::all() {
     // Others may ask for voxels meanwhile, so the rest is decided in a copy.
     std::unique_lock lock(mutex_);
     SpaceMapper rest = mapper_;
-    std::vector<char> known(decided_.begin(), decided_.end());
+    std::vector<char> known;
+    known.reserve(decided_.size());
+    for (const auto& eighths : decided_) known.push_back(eighths == SpaceMapper::kAllEighths);
     lock.unlock();
     rest.replace(kPending, Voxel::kUnknown);
     for (const DepthView& view : *views_) {

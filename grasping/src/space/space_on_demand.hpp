@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -18,8 +19,8 @@ namespace quadrille {
 /// Decides the voxels of a grid when they are asked for. Hands come near few of them, so most need
 /// never be decided.
 ///
-/// Occupied voxels are known from the start. Free ones are sought block by block, clear ones voxel
-/// by voxel down to what they stand on. All answers are those of SpaceMapper::take_cleared().
+/// Occupied voxels are known from the start. Free ones are sought by eighths of blocks, clear ones
+/// voxel by voxel down to what they stand on. All answers are those of SpaceMapper::take_cleared().
 /// Several threads may ask at once.
 class OccupancyGrid::Source {
  public:
@@ -39,7 +40,7 @@ class OccupancyGrid::Source {
   const Evidence& evidence() const { return evidence_; }
 
  private:
-  std::atomic<bool>& decided(const Eigen::Vector3i& voxel);
+  std::atomic<std::uint8_t>& decided(const Eigen::Vector3i& voxel);
   void decide(const Eigen::Vector3i& voxel);
   void settle(Eigen::Vector3i voxel);
   bool may_be_clear(const Eigen::Vector3i& voxel) const;
@@ -51,8 +52,8 @@ class OccupancyGrid::Source {
   Evidence evidence_;
   /// Held by whoever decides or settles voxels.
   std::mutex mutex_;
-  /// For each block, whether its free voxels are marked.
-  std::vector<std::atomic<bool>> decided_;
+  /// For each block, the eighths of which the free voxels are marked, a bit for each.
+  std::vector<std::atomic<std::uint8_t>> decided_;
   std::once_flag once_;
   std::vector<Voxel> all_;
 };

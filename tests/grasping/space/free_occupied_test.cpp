@@ -43,6 +43,37 @@ TEST_CASE("occupied voxels that give way stop nothing, and all others still do",
   CHECK(kept > 500);
 }
 
+TEST_CASE("voxels give way alike if whole cubes are asked first", "[occupancy]") {
+  const Scene scene;
+  ObstacleMap map(scene.grid, false), same(scene.grid, false);
+  const Eigen::Vector3d n_C = Eigen::Vector3d(0.3, -0.2, 0.9).normalized();
+  const double offset = n_C.dot(0.5 * (kRegion.min() + kRegion.max())), near = 0.021;
+  const auto frees = [&](const Eigen::Vector3d& centre_C) {
+    return std::abs(n_C.dot(centre_C) - offset) < near;
+  };
+  int left_out = 0, asked = 0;
+  map.free_occupied(frees);
+  same.free_occupied(
+      [&](const Eigen::Vector3d& middle_C, double half) {
+        const double distance = std::abs(n_C.dot(middle_C) - offset);
+        const bool may = distance < near + half * n_C.cwiseAbs().sum();
+        (may ? asked : left_out) += 1;
+        return may;
+      },
+      frees);
+  CHECK(left_out > 0);
+  CHECK(asked > 0);
+  const Eigen::Vector3i size = scene.grid.size();
+  int given_way = 0;
+  for (int n = 0; n < size.prod(); ++n) {
+    const int i = n % size.x(), j = n / size.x() % size.y(), k = n / (size.x() * size.y());
+    const Eigen::Vector3d centre = scene.grid.centre(i, j, k);
+    CHECK(same.is_occupied(centre) == map.is_occupied(centre));
+    given_way += scene.grid.at(i, j, k) == Voxel::kOccupied && !map.is_occupied(centre);
+  }
+  CHECK(given_way > 100);
+}
+
 TEST_CASE("boxes of all sizes pass where all voxels gave way, and nowhere else", "[occupancy]") {
   const Scene scene;
   const ObstacleMap before(scene.grid, false);

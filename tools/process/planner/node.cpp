@@ -34,8 +34,8 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
                      remember_view(camera, cloud, pose);
                    }),
       knowledge_(settings_),
-      planner_(settings_),
-      occupancies_(settings, publish_) {
+      occupancies_(settings, publish_),
+      planner_(settings_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   log_info(fmt::format("plans for the hand {}", settings.gripper.name));
 }
@@ -188,7 +188,7 @@ std::optional<Job> PlannerNode::find_early_job() {
   return Job{early_->utime, [this, kept = *newest] { planner_.prepare(kept.cloud, kept.placement); }};
 }
 
-/// Returns the job of publishing the last cloud's map, once it is due.
+/// Returns the job of publishing the map of the last plan, once one is due.
 std::optional<Job> PlannerNode::find_spare_job() {
   std::optional<MapPublisher::Map> due = occupancies_.take_due();
   if (!due) return std::nullopt;

@@ -104,9 +104,9 @@ class PlannerNode : public Node {
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
+  MapPublisher occupancies_;
   // These are used by the working thread only.
   PairPlanner planner_;
-  MapPublisher occupancies_;
   /// The viewer, if --viz is given.
   std::optional<Viewer> viewer_;
 };

@@ -87,9 +87,11 @@ constexpr std::size_t kMaxPrepared = 2;
 }  // namespace
 
 void PairPlanner::prepare(const SharedCloud& cloud, const Placement& placement) {
-  if (prepared_.size() < kMaxPrepared) {
-    prepared_.push_back({cloud, see(*cloud, placement, settings_)});
-  }
+  if (prepared_.size() >= kMaxPrepared) return;
+  SeenCloud seen = see(*cloud, placement, settings_);
+  std::optional<PreparedView> view;
+  if (may_remember(cloud->utime, placement)) view = memory_.prepare(seen.cloud());
+  prepared_.push_back({cloud, std::move(seen), std::move(view)});
 }
 
 /// Returns the cloud of a pair as it was prepared, if it was, and forgets those that were prepared
@@ -159,18 +161,35 @@ void PairPlanner::fit_views(std::size_t views, const GraspPlan& plan) {
   }
 }
 
+bool PairPlanner::may_remember(std::int64_t utime, const Placement& placement) const {
+  return settings_.remembers() && placement.X_WK && !forgotten_.is_after(utime);
+}
+
+void PairPlanner::count_views(const Eigen::Isometry3d& correction, const Eigen::Isometry3d& X_WK) {
+  views_ = static_cast<std::int64_t>(memory_.size());
+  correction_ = (correction * X_WK.translation() - X_WK.translation()).norm();
+}
+
+void PairPlanner::remember(const CloudAndQuadrics& pair, const Known& known) {
+  const RobotShapes& robot = known.surroundings.robot;
+  const auto found = std::find_if(prepared_.begin(), prepared_.end(), [&](const Prepared& one) {
+    return one.cloud == pair.cloud && one.view && robot.shapes.empty();
+  });
+  if (found == prepared_.end()) return remember(*pair.cloud, pair.placement, robot, 0);
+  std::optional<PreparedView> view = std::exchange(found->view, std::nullopt);
+  if (!may_remember(pair.cloud->utime, pair.placement)) return;
+  const Eigen::Isometry3d& X_WK = *pair.placement.X_WK;
+  count_views(memory_.add(pair.cloud->utime, *std::move(view), X_WK), X_WK);
+}
+
 void PairPlanner::remember(const bus::CloudMessage& message, const Placement& placement,
                            const RobotShapes& robot, int camera) {
-  if (!settings_.remembers() || !placement.X_WK) return;
-  if (forgotten_.is_after(message.utime)) return;
+  if (!may_remember(message.utime, placement)) return;
   // What another camera shows may change the plans on a cloud that has been planned on.
   if (camera != 0) ready_ = nullptr;
   const Eigen::Isometry3d& X_WK = *placement.X_WK;
   const PointCloud cloud = in_camera_frame(message.cloud, placement, settings_.frames);
-  const Eigen::Isometry3d correction =
-      memory_.add(message.utime, robot.taken_from(cloud), X_WK, camera);
-  views_ = static_cast<std::int64_t>(memory_.size());
-  correction_ = (correction * X_WK.translation() - X_WK.translation()).norm();
+  count_views(memory_.add(message.utime, robot.taken_from(cloud), X_WK, camera), X_WK);
 }
 
 void PairPlanner::forget(std::int64_t utime, const std::optional<ForgottenRegion>& region) {

@@ -47,9 +47,7 @@ class PairPlanner {
                  bool advise = false);
 
   /// Remembers what a cloud shows, for plans on later ones, if the camera's pose is known.
-  void remember(const CloudAndQuadrics& pair, const Known& known) {
-    remember(*pair.cloud, pair.placement, known.surroundings.robot, 0);
-  }
+  void remember(const CloudAndQuadrics& pair, const Known& known);
   /// The same for any camera.
   /// @param robot   the robot's shapes in the camera's frame
   /// @param camera  0 for the camera on whose clouds grasps are planned
@@ -71,6 +69,8 @@ class PairPlanner {
   GraspPlan plan_in_camera(const SharedPair& pair, const Known& known, const GraspQuery& query,
                            bool advise);
 
+  bool may_remember(std::int64_t utime, const Placement& placement) const;
+  void count_views(const Eigen::Isometry3d& correction, const Eigen::Isometry3d& X_WK);
   SeenCloud take_seen(const CloudAndQuadrics& pair);
   void fit_views(std::size_t views, const GraspPlan& plan);
 
@@ -86,6 +86,8 @@ class PairPlanner {
   struct Prepared {
     SharedCloud cloud;
     SeenCloud seen;
+    /// What the memory is to keep of it; nullopt if nothing is remembered.
+    std::optional<PreparedView> view;
   };
   /// Clouds whose quadrics have not come, the oldest first.
   std::deque<Prepared> prepared_;

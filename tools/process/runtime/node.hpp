@@ -92,8 +92,8 @@ class Node {
   /// after a message that called for no work.
   virtual std::optional<Job> find_early_job() { return std::nullopt; }
 
-  /// Returns a job to run while the node is idle, that is while no message waits. Only processes on
-  /// the bus call it, from their working thread.
+  /// Returns a job that no message waits for, to run beside all others. Only processes on the bus
+  /// call it, from a separate thread, which also does the job.
   virtual std::optional<Job> find_spare_job() { return std::nullopt; }
 
   /// Publishes the status. For a separate thread, also while a job is being done.

@@ -11,6 +11,7 @@
 #include "link/url.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
+#include "process/runtime/spare_worker.hpp"
 #include "process/runtime/status/stats_file.hpp"
 #include "process/runtime/watch/loss_watch.hpp"
 #include "process/runtime/watch/other_senders.hpp"
@@ -22,6 +23,9 @@
 
 namespace quadrille {
 namespace {
+
+// Spare jobs give way to the work on messages by so much more, as nice does.
+constexpr int kSpareNiceness = 5;
 
 void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
   if (!job.refuse) {
@@ -110,6 +114,7 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
   status_rate.admit();
   LossWatch losses;
   Worker worker(mailbox, node, niceness);
+  SpareWorker spare(node, niceness + kSpareNiceness);
   bus::Receiver receiver(connection);
   while (!bus::stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -121,7 +126,7 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
     }
     if (status_rate.admit()) publish_status(connection, mailbox, others, stats, node);
   }
-  if (worker.finish(kStopPatience)) return;
+  if (worker.finish(kStopPatience) && spare.finish(kStopPatience)) return;
   log_warning("the work at hand does not end; it is given up");
   tell_end(connection, mailbox, others, stats, node);
   // No destructor may run, because the working thread still uses all objects.
