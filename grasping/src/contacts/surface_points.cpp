@@ -167,7 +167,8 @@ PointSurface::PointSurface(std::span<const Eigen::Vector3d> points_C, double cel
                            std::span<const Eigen::Vector3d> eyes_C)
     : reach_(kReachInCells * cell) {
   Eyes eyes(eyes_C, points_C.size());
-  Thinned means = thinned(points_C, eyes.of_points, static_cast<int>(eyes.positions_C.size()), cell);
+  Thinned means =
+      thinned(points_C, eyes.of_points, static_cast<int>(eyes.positions_C.size()), cell);
   points_C_ = std::move(means.points);
   eye_of_ = std::move(means.eyes);
   eyes_C_ = std::move(eyes.positions_C);

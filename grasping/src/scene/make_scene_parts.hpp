@@ -12,9 +12,9 @@
 namespace quadrille {
 
 /// Prepares a cloud stage by stage: boxes (unless they are given), shapes, view, targets,
-/// occupancy. Targets are chosen within half of the deadline of the options, which leaves the other half to
-/// try them; 0 means no deadline. If all of it has passed by then, no target is left and space is
-/// not mapped.
+/// occupancy. Targets are chosen within half of the deadline of the options, which leaves the other
+/// half to try them; 0 means no deadline. If all of it has passed by then, no target is left and
+/// space is not mapped.
 /// @param seen  what is known of the cloud already, which is used up; null if nothing is
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, SeenParts* seen, const std::vector<Detection>& detections,

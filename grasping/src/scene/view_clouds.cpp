@@ -25,8 +25,7 @@ ViewClouds::ViewClouds(const PointCloud& cloud, RangeCheck range, const Surround
 }
 
 ViewClouds::View ViewClouds::checked(const PointCloud& cloud, RangeCheck range_check,
-                                     const RobotShapes& robot,
-                                     std::vector<std::string>* warnings) {
+                                     const RobotShapes& robot, std::vector<std::string>* warnings) {
   const RangeCheck& range = ranges_.emplace_back(std::move(range_check));
   if (range.far > 0) warnings->push_back(range.warning());
   const PointCloud* seen = &range.kept(cloud);

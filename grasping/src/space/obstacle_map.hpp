@@ -269,9 +269,8 @@ void ObstacleMap::carve(const Body& body, double margin, Keep&& keep) {
   box.max().array() += margin;
   const Range range = voxels(box);
   const Eigen::Isometry3d X_QC = body.X_CQ.inverse();
-  free(range, [&](const Eigen::Vector3d& c) {
-    return body.contains_Q(X_QC * c, margin) && !keep(c);
-  });
+  free(range,
+       [&](const Eigen::Vector3d& c) { return body.contains_Q(X_QC * c, margin) && !keep(c); });
   refresh(range);
 }
 

@@ -22,10 +22,9 @@ TEST_CASE("keys are sorted, and equal ones stay in their order", "[sorted_keys]"
                        [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
       sort_by_key(&keyed);
       REQUIRE(keyed.size() == expected.size());
-      CHECK(std::equal(keyed.begin(), keyed.end(), expected.begin(),
-                       [](const Keyed& a, const Keyed& b) {
-                         return a.key == b.key && a.index == b.index;
-                       }));
+      CHECK(std::equal(
+          keyed.begin(), keyed.end(), expected.begin(),
+          [](const Keyed& a, const Keyed& b) { return a.key == b.key && a.index == b.index; }));
     }
   }
 }

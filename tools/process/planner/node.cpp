@@ -185,7 +185,8 @@ std::optional<Job> PlannerNode::find_early_job() {
   const Pairing::Kept* newest = pairing_.newest();
   if (settings_.on_request || newest == nullptr || newest->cloud == early_) return std::nullopt;
   early_ = newest->cloud;
-  return Job{early_->utime, [this, kept = *newest] { planner_.prepare(kept.cloud, kept.placement); }};
+  return Job{early_->utime,
+             [this, kept = *newest] { planner_.prepare(kept.cloud, kept.placement); }};
 }
 
 /// Returns the job of publishing the map of the last plan, once one is due.

@@ -97,9 +97,8 @@ void PairPlanner::prepare(const SharedCloud& cloud, const Placement& placement) 
 /// Returns the cloud of a pair as it was prepared, if it was, and forgets those that were prepared
 /// before it, whose quadrics will not come.
 SeenCloud PairPlanner::take_seen(const CloudAndQuadrics& pair) {
-  const auto found = std::find_if(prepared_.begin(), prepared_.end(), [&](const Prepared& one) {
-    return one.cloud == pair.cloud;
-  });
+  const auto found = std::find_if(prepared_.begin(), prepared_.end(),
+                                  [&](const Prepared& one) { return one.cloud == pair.cloud; });
   if (found == prepared_.end()) {
     // Clouds that wait may be older than this one.
     prepared_.clear();
