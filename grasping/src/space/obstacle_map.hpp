@@ -69,8 +69,7 @@ class ObstacleMap {
   void free_occupied(Frees&& frees) {
     free_occupied([](const Eigen::Vector3d&, double) { return true; }, frees);
   }
-  /// Does the same, and asks first about whole cubes, given by their middle and half their edge
-  /// [m]: if may_free(middle, half) is false, frees() is true for no voxel in the cube.
+  /// Does the same, and leaves out cubes for which may_free(middle, half edge [m]) is false.
   template <class MayFree, class Frees>
   void free_occupied(MayFree&& may_free, Frees&& frees);
 
@@ -235,10 +234,9 @@ void ObstacleMap::free_occupied(MayFree&& may_free, Frees&& frees) {
   each_cube(Eigen::Vector3i::Zero(), size_, kEdge, [&](const Eigen::Vector3i& first) {
     Block* block = block_of(first);
     if (block == nullptr || !(block->flags.back() & kAnyOccupied)) return;
-    const Eigen::Vector3d middle =
-        corner_ + resolution_ * (first.cast<double>().array() + 0.5 * kEdge).matrix();
-    if (!may_free(middle, reach) || !free_occupied_in(*block, first, frees)) return;
-    block->refresh();
+    const Eigen::Array3d middle = first.cast<double>().array() + 0.5 * kEdge;
+    if (!may_free(corner_ + resolution_ * middle.matrix(), reach)) return;
+    if (free_occupied_in(*block, first, frees)) block->refresh();
   });
 }
 
@@ -250,7 +248,6 @@ bool ObstacleMap::free_occupied_in(Block& block, const Eigen::Vector3i& first, F
   for (int row = 0; row < kEdge * kEdge; ++row) {
     const int j = row % kEdge, k = row / kEdge;
     std::uint8_t* flags = block.row(0, j, k);
-    // Most rows hold nothing.
     if (!any_set(flags, kEdge)) continue;
     for (int i = 0; i < kEdge; ++i) {
       if (!(flags[i] & kAnyOccupied)) continue;
