@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/quantile.hpp"
+#include "boxes/bend.hpp"
 #include "boxes/box_ends.hpp"
-#include "boxes/find_faces.hpp"
 
 namespace quadrille {
 namespace {

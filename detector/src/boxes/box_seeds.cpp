@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/quantile.hpp"
 #include "boxes/upright_seeds.hpp"
 #include "samples/convex_pieces.hpp"
 #include "surfaces/surface.hpp"
@@ -35,8 +36,10 @@ constexpr std::size_t kTried = 64;
 // squared sine of the angle.
 constexpr double kMinAcross = 0.5;
 
-// At most so many seeds are looked at, so that clutter takes no more time than boxes.
-constexpr std::size_t kMaxSeeds = 16;
+// At most so many pieces are looked at, so that clutter takes no more time than boxes.
+constexpr int kMaxPieces = 16;
+// A thing stands on a plane if this share of its samples lies above it: a few may be strays.
+constexpr double kMinAbove = 0.95;
 
 /// For each axis the side that faces the sensor, and its samples: of two opposite sides a view
 /// shows one.
@@ -142,17 +145,21 @@ std::optional<BoxSeed> seed_of(const SurfaceSamples& samples, const std::vector<
   return is_box && seed.size() >= 2 ? std::optional(std::move(seed)) : std::nullopt;
 }
 
-/// The normal of the plane on which a piece stands: of those below all of it, the nearest.
+/// The normal of the plane on which a piece stands: of those below all of it but strays, the
+/// nearest, if the piece is no farther above it than it is high. Its foot may be hidden.
 std::optional<Eigen::Vector3d> up_of(const SurfaceSamples& samples, const std::vector<int>& piece,
                                      std::span<const Eigen::Hyperplane<double, 3>> floors) {
   std::optional<Eigen::Vector3d> up_C;
   double nearest = std::numeric_limits<double>::infinity();
   for (const Eigen::Hyperplane<double, 3>& floor : floors) {
-    double lowest = std::numeric_limits<double>::infinity();
+    std::vector<double> heights;
+    heights.reserve(piece.size());
     for (const int i : piece) {
-      lowest = std::min(lowest, floor.signedDistance(samples.raw[i].cast<double>()));
+      heights.push_back(floor.signedDistance(samples.raw[i].cast<double>()));
     }
-    if (lowest < -kRounding || !(lowest < nearest)) continue;
+    const double lowest = quantile(heights, 1.0 - kMinAbove),
+                 highest = quantile(heights, kMinAbove);
+    if (lowest < -kRounding || lowest > highest - lowest || !(lowest < nearest)) continue;
     nearest = lowest;
     up_C = floor.normal();
   }
@@ -175,6 +182,7 @@ FlatPatch patch_of_side(const SurfaceSamples& samples, std::span<const int> side
 std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& free,
                                     std::span<const Eigen::Hyperplane<double, 3>> floors) {
   std::vector<BoxSeed> seeds;
+  int pieces = 0;
   const auto add = [&](std::optional<BoxSeed> seed) {
     if (seed) seeds.push_back(std::move(*seed));
   };
@@ -182,7 +190,7 @@ std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& f
     if (connected.size() < kMinSamples) break;
     for (const std::vector<int>& piece : convex_pieces(samples, connected)) {
       if (piece.size() < kMinSamples) break;
-      if (seeds.size() >= kMaxSeeds) return seeds;
+      if (++pieces > kMaxPieces) return seeds;
       add(seed_of(samples, piece));
       if (const auto up_C = up_of(samples, piece, floors)) add(upright_seed(samples, piece, *up_C));
     }

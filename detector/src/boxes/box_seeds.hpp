@@ -20,8 +20,7 @@ FlatPatch patch_of_side(const SurfaceSamples& samples, std::span<const int> side
 
 /// Seeds of boxes in the convex pieces of some samples. The normals of a piece gather about three
 /// axes at right angles, though its faces may bulge and its edges be rounded so much that no face
-/// is found alone. Of a piece that stands on a plane another seed follows, as upright_seed() finds
-/// it.
+/// is found alone. If a piece stands on a plane, it has a second seed: that of upright_seed().
 /// @param free    samples to use
 /// @param floors  planes on which things may stand, with unit normals towards the sensor
 std::vector<BoxSeed> find_box_seeds(const SurfaceSamples& samples, const Mask& free,

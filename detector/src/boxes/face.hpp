@@ -48,8 +48,8 @@ struct Face {
   double offset = 0.0;
   /// Noise of the points along the normal [m].
   double sigma = 0.0;
-  /// How far the face bulges beyond its plane [m].
-  double bulge = 0.0;
+  /// How far the face bulges beyond its plane, and the standard deviation of that [m].
+  double bulge = 0.0, bulge_std = 0.0;
   /// Cosine between the normal and the line of sight: the factor from noise along that line to
   /// noise along the normal.
   double cosine = 1.0;

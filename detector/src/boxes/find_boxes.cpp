@@ -27,6 +27,13 @@
 namespace quadrille {
 namespace {
 
+// Least cosine between the normal of a seed's face and the line of sight (11°): pixels that the
+// sensor mixed at an outline lie along the lines of sight and look like an oblique face.
+constexpr double kMinSeenCosine = 0.2;
+// A face that a seed shows is the whole of a known one if that reaches no farther from its middle
+// than this many times as far. A thing in pieces, such as an open box, shows parts of its walls.
+constexpr double kMaxPart = 1.5;
+
 /// Detections may come from messages, so their fields are checked.
 bool is_sound(const Detection& plane) {
   const Eigen::Vector3d size = plane.extent_Q.sizes();
@@ -218,11 +225,17 @@ class BoxMaker {
     return measure_box(draft_of(faces, sight_), planes_beside(faces));
   }
 
+  /// The face at a side of a seed; nullopt if there is none, or if it is only a part of a known
+  /// one.
   std::optional<Face> face_of_seed(const FlatPatch& patch) const {
     std::optional<Face> face = unbent_face_at(patch, sight_);
-    if (!face) return face;
+    if (!face || face->cosine < kMinSeenCosine) return std::nullopt;
     const auto known = known_face(face->middle_C, face->n_C);
-    return known != faces_.end() ? *known : face;
+    if (known == faces_.end()) return face;
+    if (known->radius > kMaxPart * face->radius) return std::nullopt;
+    face->id = known->id;
+    face->score = known->score;
+    return face;
   }
 
   const DirectionIndex& sight_;

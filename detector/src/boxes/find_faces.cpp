@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "base/quantile.hpp"
-#include "base/symmetric_eigen.hpp"
+#include "boxes/bend.hpp"
 #include "boxes/face_finder.hpp"
-#include "samples/height_fit.hpp"
 
 namespace quadrille {
 namespace {
@@ -69,12 +66,18 @@ std::optional<MeasuredFace> measured_face_at(const FacePatch& patch, double sigm
   return finder.refitted(found.front(), patch.X_CP.linear());
 }
 
-/// A measured face with how far it bulges; nullopt if it bends more than worn boxes do.
-std::optional<Face> unbent(MeasuredFace measured) {
+/// A measured face with how far it bulges.
+Face bulging(MeasuredFace measured) {
   const Bend bend = bend_of(measured.face, measured.measured_C);
-  if (bend.turn > kMaxTurn) return std::nullopt;
   measured.face.bulge = bend.bulge;
+  measured.face.bulge_std = bend.bulge_std;
   return std::move(measured.face);
+}
+
+/// The same; nullopt if the face bends more than worn boxes do.
+std::optional<Face> unbent(MeasuredFace measured) {
+  if (bend_of(measured.face, measured.measured_C).turn > kMaxTurn) return std::nullopt;
+  return bulging(std::move(measured));
 }
 
 /// The face that grows from a patch; nullopt if there is none, or if it bends.
@@ -92,39 +95,10 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
 
 }  // namespace
 
-Bend bend_of(const Face& face, const std::vector<Eigen::Vector3d>& measured_C) {
-  if (measured_C.empty()) return {std::numeric_limits<double>::infinity(), 0.0};
-  const Eigen::Vector3d n = face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
-  HeightFit fit;
-  std::vector<Eigen::Vector2d> places;
-  for (const Eigen::Vector3d& p : measured_C) {
-    const Eigen::Vector3d x = p - face.middle_C;
-    places.emplace_back(x.dot(e1), x.dot(e2));
-    fit.add(places.back().x(), places.back().y(), face.height(p));
-  }
-  const HeightFit::Vector6 a = fit.factor().solve(fit.b);
-  Eigen::Matrix2d H;
-  H << 2 * a[3], a[4], a[4], 2 * a[5];
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
-  Bend bend;
-  for (int k = 0; k < 2; ++k) {
-    std::vector<double> x;
-    x.reserve(places.size());
-    for (const Eigen::Vector2d& place : places) x.push_back(eigen.eigenvectors().col(k).dot(place));
-    const double low = quantile(x, kTrimmed), width = quantile(x, 1.0 - kTrimmed) - low;
-    const double outward = -eigen.eigenvalues()[k];
-    bend.turn = std::max(bend.turn, std::abs(outward) * width);
-    // The mean of the parabola outward · x² / 2 over its width lies this far below its vertex.
-    bend.bulge += std::max(0.0, outward) * width * width / 24.0;
-  }
-  return bend;
-}
-
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   std::optional<MeasuredFace> measured = measured_face_at(patch, sigma, kMaxTolerance, sight);
   if (!measured) return std::nullopt;
-  measured->face.bulge = bend_of(measured->face, measured->measured_C).bulge;
-  return std::move(measured->face);
+  return bulging(*std::move(measured));
 }
 
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
@@ -153,8 +127,7 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
     // their mean.
     auto own = found.size() > 1 ? finder.refitted(measured, patch.X_CP.linear()) : std::nullopt;
     if (own) measured = std::move(*own);
-    measured.face.bulge = bend_of(measured.face, measured.measured_C).bulge;
-    faces.push_back(std::move(measured.face));
+    faces.push_back(bulging(std::move(measured)));
     faces.back().id = plane.id;
     faces.back().score = plane.score;
   }

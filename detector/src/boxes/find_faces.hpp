@@ -9,20 +9,6 @@
 
 namespace quadrille {
 
-/// The normal of a face turns across it by no more than this [rad]. Worn boxes bulge; the strip of
-/// a cylinder that passes for a plane turns by .7 or more.
-inline constexpr double kMaxTurn = 0.5;
-
-/// How a face bends, by a quadratic fit to its points as they were measured.
-struct Bend {
-  /// How far the normal turns across the face [rad]: nearly 0 on a flat one, about 1 on the strip
-  /// of a cylinder that is thin enough to pass for a plane. Infinite if there are no points.
-  double turn = 0.0;
-  /// How far the face bulges beyond its plane [m].
-  double bulge = 0.0;
-};
-Bend bend_of(const Face& face, const std::vector<Eigen::Vector3d>& measured_C);
-
 /// The largest face in a patch, with its plane refitted; nullopt if there are too few points.
 /// @param sigma  noise of the points along the patch's normal [m]
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);

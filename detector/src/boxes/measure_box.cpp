@@ -23,9 +23,8 @@ constexpr double kMinWornCorners = 0.55;
 // Size of a face's corners as a share of its sides.
 constexpr double kCorner = 0.12;
 
-// A face bulges if it does so by this share of its noise: a quadratic fit to the waves of a flat
-// one, in simulated stereo, bulges by less.
-constexpr double kMinBulge = 0.5;
+// The unseen side of a box bulges as the side before it does, give or take this share.
+constexpr double kBulgeStd = 0.5;
 
 // Score of a box of which no face was detected.
 constexpr double kUndetectedScore = 0.5;
@@ -132,17 +131,30 @@ void add_faces(const BoxDraft& draft, Box& box) {
   }
 }
 
-/// Moves the ends to where the faces bulge most, if they bulge more than noise does. A face lies at
-/// the middle of its points, and what bulges on one side, as a full package does, bulges alike on
-/// the other.
+/// How far a face likely bulges [m]: what was measured, less so the more noise it has. Even the
+/// waves of a flat face look like a small bulge.
+double likely_bulge(const Face& face) {
+  const double measured = face.bulge * face.bulge, noise = face.bulge_std * face.bulge_std;
+  return measured > 0.0 ? face.bulge * measured / (measured + noise) : 0.0;
+}
+
+/// Moves the ends to where the faces bulge most. A face lies at the middle of its points, and what
+/// bulges on one side, as a full package does, bulges likely alike on the other, where only the
+/// outline was seen.
 BoxEnds bulging(const BoxDraft& draft, BoxEnds ends) {
   for (int axis = 0; axis < static_cast<int>(draft.faces.size()); ++axis) {
     const Face& face = *draft.faces[axis];
-    if (face.bulge < kMinBulge * face.sigma) continue;
+    const double bulge = likely_bulge(face);
     for (int upper = 0; upper < 2; ++upper) {
       BoxEnd& end = ends[axis][upper];
-      const bool is_outline = end.seen && !end.rests;
-      if (draft.face_on(axis, upper) || is_outline) end.at += face.bulge;
+      if (draft.face_on(axis, upper)) {
+        end.at += bulge;
+        end.std = std::hypot(end.std, std::min(bulge, face.bulge_std));
+      } else if (end.seen && !end.rests) {
+        end.at += bulge;
+        end.hidden += bulge;
+        end.std = std::hypot(end.std, kBulgeStd * bulge);
+      }
     }
   }
   return ends;

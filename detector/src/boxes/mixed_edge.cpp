@@ -49,10 +49,18 @@ bool has_floating(const Row& row, double behind, double tolerance, double pitch)
   });
 }
 
-/// How far beyond half a pitch after the end of a row the heights cross half of the gap [m]: in the
-/// middle between the last point above it and the first below. If these are farther apart than
-/// pixels are mixed, the sensor lost those between, and only the last point counts.
-double crossing_of(const Row& row, double behind, double tolerance, double pitch) {
+/// Where the heights beside a row cross half of the way to what lies behind.
+struct Crossing {
+  /// How far beyond half a pitch after the end of the row [m].
+  double reach = 0.0;
+  /// The range in which it may lie [m].
+  double range = 0.0;
+};
+
+/// The crossing lies in the middle between the last point above it and the first below. If these
+/// are farther apart than pixels are mixed, the sensor lost those between, and only the last point
+/// counts.
+Crossing crossing_of(const Row& row, double behind, double tolerance, double pitch) {
   double last = 0.0, next = std::numeric_limits<double>::infinity();
   for (const Beside& point : row.beside) {
     const bool may_be_mixed = point.distance <= kMaxMixed * pitch && point.height <= -tolerance;
@@ -62,28 +70,32 @@ double crossing_of(const Row& row, double behind, double tolerance, double pitch
     const bool is_beyond = point.distance > last && point.height <= 0.5 * behind;
     if (is_beyond) next = std::min(next, point.distance);
   }
-  return next - last < kMaxMixed * pitch ? 0.5 * (last + next - pitch) : last;
+  const double gap = next - last;
+  if (gap < kMaxMixed * pitch) return {0.5 * (last + next - pitch), gap};
+  return {last, kMaxMixed * pitch};
 }
 
 }  // namespace
 
 MixedPixels mixed_pixels(const Rows& rows, double tolerance, double pitch) {
   MixedPixels found;
-  std::vector<double> reaches;
+  std::vector<double> reaches, ranges;
   for (const Row& row : rows.all()) {
     if (row.empty() || !row.seen) continue;
     const std::optional<double> behind = height_behind(row, pitch);
     if (!behind || *behind > -std::max(kMinGap, kMinTolerances * tolerance)) continue;
-    reaches.push_back(crossing_of(row, *behind, tolerance, pitch));
+    const Crossing crossing = crossing_of(row, *behind, tolerance, pitch);
+    reaches.push_back(crossing.reach);
+    ranges.push_back(crossing.range);
     found.mixed += has_floating(row, *behind, tolerance, pitch);
   }
   found.rows = static_cast<int>(reaches.size());
   if (reaches.empty()) return found;
   found.reach = median(reaches);
   for (double& other : reaches) other -= found.reach;
-  // Each reach lies between two points that are a pitch apart, or more.
-  const double each = std::hypot(robust_std(reaches), pitch / std::sqrt(12.0));
-  found.std = each / std::sqrt(static_cast<double>(found.rows));
+  // All rows lose their pixels on the same side, so their number does not make the range smaller.
+  found.std = std::hypot(robust_std(reaches) / std::sqrt(static_cast<double>(found.rows)),
+                         median(ranges) / std::sqrt(12.0));
   return found;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "boxes/around_face.hpp"
-#include "boxes/find_faces.hpp"
+#include "boxes/bend.hpp"
 #include "boxes/outline.hpp"
 #include "boxes/sight_lines.hpp"
 

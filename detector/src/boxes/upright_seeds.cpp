@@ -16,17 +16,21 @@ namespace {
 // and then the best one is improved by steps half as large, and so on, down to a third of a degree.
 constexpr int kTurns = 16;
 constexpr int kHalvings = 4;
-// So many samples suffice to compare turns.
+// About so many samples are compared at each turn, evenly chosen. With twice as many, boxes in
+// simulated packed scenes are found no more often.
 constexpr std::size_t kTried = 64;
 // Where a side lies is found from the samples nearest to it, so often.
 constexpr int kRounds = 3;
-// At first a side lies where this share of the samples is behind it.
+// At first a side lies where this share of the samples is behind it: the others may be strays.
 constexpr double kOutermost = 0.95;
-// Samples lie on a side within three standard deviations, but at least within this distance [m]:
-// sides bulge.
+// Samples lie on a side within three standard deviations, but at least within this distance, by
+// which packages bulge [m], and at most within this share of the thing's height: of a small round
+// thing all samples are near the sides of some box.
 constexpr double kMinReach = 0.0025;
-// Least share of a piece's samples that lie on the sides, and of a side's own.
+constexpr double kMaxReach = 0.1;
+// Least share of a piece's samples that lie on its sides; the others are on rounded edges.
 constexpr double kMinShare = 0.9;
+// Least number of samples of a side, which are enough for a plane.
 constexpr std::size_t kMinSideSamples = 8;
 
 /// Three sides of a box that face the sensor: outward unit directions, and where the sides lie
@@ -47,7 +51,7 @@ class CornerFit {
       places_.push_back(samples.raw[piece[k]].cast<double>());
       facing += samples.n[piece[k]].cast<double>();
     }
-    reach_ = std::max(kMinReach, 3.0 * mean_sigma(samples, piece));
+    reach_ = std::min(std::max(kMinReach, 3.0 * mean_sigma(samples, piece)), kMaxReach * height());
     facing -= facing.dot(up_C) * up_C;
     ahead_C_ = facing.norm() > 1e-6 ? facing.normalized() : up_C.unitOrthogonal();
   }
@@ -82,6 +86,15 @@ class CornerFit {
   }
 
  private:
+  /// How high the thing is, but for strays [m].
+  double height() const {
+    std::vector<double> heights;
+    heights.reserve(places_.size());
+    for (const Eigen::Vector3d& p : places_) heights.push_back(up_C_.dot(p));
+    const double lowest = quantile(heights, 1.0 - kOutermost);
+    return quantile(heights, kOutermost) - lowest;
+  }
+
   struct Nearest {
     int side;
     double distance;

@@ -77,14 +77,16 @@ TEST_CASE("a box that stands on a plane has a second seed, upright on the neares
           "[boxes][seeds]") {
   const Eigen::Isometry3d X_CB = test::showing_three_sides();
   const SurfaceSamples samples = test::seen_samples(test::sides_of_box(kSize), X_CB);
-  // One plane below the box, a lower one that leans, and one in the midst of the box.
   const Eigen::Vector3d up_C = -X_CB.linear().col(1);
+  // A plane below the box, a lower one that leans, one in the midst of the box, and a far wall.
   const Eigen::Vector3d leans_C = Eigen::AngleAxisd(0.3, X_CB.linear().col(0)) * up_C;
   const Eigen::Vector3d foot_C = X_CB.translation() - 0.5 * kSize.y() * up_C;
+  const Eigen::Vector3d aside_C = X_CB.linear().col(0);
   const std::vector<Eigen::Hyperplane<double, 3>> floors = {
-      {leans_C, Eigen::Vector3d(foot_C - 0.3 * up_C)},
+      {leans_C, Eigen::Vector3d(foot_C - 0.02 * up_C)},
       {up_C, foot_C},
-      {leans_C, X_CB.translation()}};
+      {leans_C, X_CB.translation()},
+      {aside_C, Eigen::Vector3d(X_CB.translation() - 0.3 * aside_C)}};
   const auto seeds = find_box_seeds(samples, Mask(samples.p.size(), 1), floors);
   REQUIRE(seeds.size() == 2);
   for (const FlatPatch& flat : seeds[1]) {
@@ -132,7 +134,7 @@ TEST_CASE("samples that are not free, few, none or not finite make no seed", "[b
   CHECK(seeds_of(samples).empty());
 }
 
-TEST_CASE("no more than sixteen seeds are made, of the largest pieces", "[boxes][seeds]") {
+TEST_CASE("no more than sixteen pieces are looked at, the largest", "[boxes][seeds]") {
   test::OrientedPoints all;
   for (int k = 0; k < 20; ++k) {
     const Eigen::Vector3d side = Eigen::Vector3d::Constant((k < 4 ? 6 : 8) * test::kSampleCell);

@@ -45,19 +45,28 @@ TEST_CASE("an upright box is found at any turn from where its samples lie, whate
   }
 }
 
-TEST_CASE("a ball and a can make no upright box", "[boxes][seeds]") {
+TEST_CASE("balls and cans make no upright box, small ones and noisy ones neither",
+          "[boxes][seeds]") {
   const Eigen::Isometry3d X_CB = standing_before_eye(0.0);
-  test::OrientedPoints ball, can;
-  for (int k = 0; k < 2000; ++k) {
-    const double y = 1.0 - (2.0 * k + 1.0) / 2000.0, angle = k * M_PI * (3.0 - std::sqrt(5.0));
-    const Eigen::Vector3d around(std::cos(angle), 0.0, std::sin(angle));
-    ball.n.emplace_back(std::sqrt(1.0 - y * y) * around + y * Eigen::Vector3d::UnitY());
-    ball.p.push_back(0.04 * ball.n.back());
-    can.n.push_back(around);
-    can.p.emplace_back(0.035 * around + 0.05 * y * Eigen::Vector3d::UnitY());
+  for (const double radius : {0.02, 0.04}) {
+    test::OrientedPoints ball, can;
+    for (int k = 0; k < 2000; ++k) {
+      const double y = 1.0 - (2.0 * k + 1.0) / 2000.0, angle = k * M_PI * (3.0 - std::sqrt(5.0));
+      const Eigen::Vector3d around(std::cos(angle), 0.0, std::sin(angle));
+      ball.n.emplace_back(std::sqrt(1.0 - y * y) * around + y * Eigen::Vector3d::UnitY());
+      ball.p.push_back(radius * ball.n.back());
+      can.n.push_back(around);
+      can.p.emplace_back(radius * (around + 1.2 * y * Eigen::Vector3d::UnitY()));
+    }
+    for (const float sigma : {0.0005f, 0.001f}) {
+      INFO("radius " << radius << ", noise " << sigma);
+      for (const test::OrientedPoints* thing : {&ball, &can}) {
+        SurfaceSamples samples = test::seen_samples(*thing, X_CB);
+        std::fill(samples.sigma.begin(), samples.sigma.end(), sigma);
+        CHECK_FALSE(seed_of_all(samples, X_CB));
+      }
+    }
   }
-  CHECK_FALSE(seed_of_all(test::seen_samples(ball, X_CB), X_CB));
-  CHECK_FALSE(seed_of_all(test::seen_samples(can, X_CB), X_CB));
 }
 
 TEST_CASE("no samples, and samples that are not finite, make no upright box",
