@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "scene/answer_query.hpp"
 #include "scene/make_scene_parts.hpp"
-#include "scene/seen_parts.hpp"
 
 namespace quadrille {
 namespace {
@@ -25,23 +23,8 @@ GraspScene::GraspScene(const PointCloud& cloud, const std::vector<Detection>& de
   gripper.check();
   options.check();
   known.check();
-  parts_ = make_scene_parts(cloud, nullptr, detections, gripper, options, known, std::move(boxes),
-                            bodies);
-}
-
-GraspScene::GraspScene(SeenCloud cloud, const std::vector<Detection>& detections,
-                       const Gripper& gripper, const PlanOptions& options,
-                       const Surroundings& known, std::optional<std::vector<Box>> boxes,
-                       const std::vector<SceneBody>& bodies) {
-  gripper.check();
-  options.check();
-  known.check();
-  if (options.resolution != cloud.resolution_ || options.baseline != cloud.baseline_) {
-    throw std::invalid_argument(
-        "the cloud was prepared with another planner.resolution or planner.baseline");
-  }
-  parts_ = make_scene_parts(cloud.cloud_, cloud.parts_.get(), detections, gripper, options, known,
-                            std::move(boxes), bodies);
+  parts_ = make_scene_parts(cloud, detections, gripper, options, known, std::move(boxes), bodies,
+                            options.deadline_ms);
 }
 
 GraspScene::GraspScene(GraspScene&&) noexcept = default;

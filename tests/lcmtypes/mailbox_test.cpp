@@ -56,21 +56,6 @@ TEST_CASE("an item that comes while someone waits is taken", "[bus][mailbox]") {
   CHECK(**item == 7);
 }
 
-TEST_CASE("one who waits can be woken without an item, once for each time", "[bus][mailbox]") {
-  Mailbox<int> mailbox;
-  bool woken = false;
-  std::thread other([&] { mailbox.wake(); });
-  CHECK_FALSE(mailbox.take(milliseconds(10000), &woken));
-  other.join();
-  CHECK(woken);
-  CHECK_FALSE(mailbox.take(milliseconds(0), &woken));
-  CHECK_FALSE(woken);
-  mailbox.wake();
-  mailbox.put(3);
-  CHECK(mailbox.take(milliseconds(0), &woken) == 3);
-  CHECK(mailbox.superseded() == 0);
-}
-
 TEST_CASE("every item is either taken or counted as superseded", "[bus][mailbox]") {
   constexpr int kItems = 20000;
   Mailbox<int> mailbox;

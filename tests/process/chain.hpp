@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <lcmtypes/quadrille/grasps_t.hpp>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,9 +36,6 @@ class Chain {
   void take(const std::string& channel, const std::vector<std::byte>& bytes) {
     give(detector_, channel, bytes);
     give(planner_, channel, bytes);
-    const auto early = works_early_ ? planner_.find_early_job() : std::nullopt;
-    if (early) planner_.work(*early);
-    early_jobs_ += early.has_value();
     pass_on();
   }
 
@@ -49,11 +45,6 @@ class Chain {
     pass_on();
     give(planner_, channel, bytes);
   }
-
-  /// From now on the planner does what it can before quadrics come.
-  void work_early() { works_early_ = true; }
-  /// Number of times that it did something.
-  int early_jobs() const { return early_jobs_; }
 
   /// Nothing comes until clouds wait no longer.
   void wait() {
@@ -105,8 +96,7 @@ class Chain {
   }
 
   std::map<std::string, std::vector<std::byte>> published_;
-  bool quadrics_are_new_ = false, works_early_ = false;
-  int early_jobs_ = 0;
+  bool quadrics_are_new_ = false;
   DetectorNode detector_;
   PlannerNode planner_;
 };

@@ -1,6 +1,5 @@
 #include "quadrille/detector/view_memory.hpp"
 
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -24,17 +23,6 @@ struct KeptCloud {
   }
 };
 
-/// What the view saw, unless it is of no use, and what is kept of it then.
-struct PreparedView::Parts {
-  std::optional<SeenView> seen;
-  KeptCloud content;
-};
-
-PreparedView::PreparedView(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
-PreparedView::PreparedView(PreparedView&&) noexcept = default;
-PreparedView& PreparedView::operator=(PreparedView&&) noexcept = default;
-PreparedView::~PreparedView() = default;
-
 struct ViewMemory::Views {
   DetectorOptions options;
   KeptViews<KeptCloud> kept;
@@ -56,25 +44,16 @@ void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d
   views_->kept.forget(X_WR, box_R);
 }
 
-PreparedView ViewMemory::prepare(const PointCloud& cloud) const {
-  auto parts = std::make_unique<PreparedView::Parts>();
-  if (views_->options.views.remember > 0.0) parts->seen = seen_view(cloud, views_->options);
-  if (parts->seen) parts->content.cloud = thinned(cloud, parts->seen->sight);
-  return PreparedView(std::move(parts));
-}
-
 Eigen::Isometry3d ViewMemory::add(std::int64_t utime, const PointCloud& cloud,
                                   const Eigen::Isometry3d& X_WC, int camera) {
-  return add(utime, prepare(cloud), X_WC, camera);
-}
-
-Eigen::Isometry3d ViewMemory::add(std::int64_t utime, PreparedView view,
-                                  const Eigen::Isometry3d& X_WC, int camera) {
   KeptViews<KeptCloud>& kept = views_->kept;
-  PreparedView::Parts& parts = *view.parts_;
+  const DetectorOptions& options = views_->options;
   kept.begin(utime, camera);
-  if (parts.seen) {
-    kept.add(utime, *std::move(parts.seen), std::move(parts.content), X_WC, camera);
+  if (options.views.remember > 0.0) {
+    if (std::optional<SeenView> seen = seen_view(cloud, options)) {
+      KeptCloud content{thinned(cloud, seen->sight)};
+      kept.add(utime, *std::move(seen), std::move(content), X_WC, camera);
+    }
   }
   return kept.correction(camera);
 }

@@ -32,16 +32,14 @@ bool is_sound(const Box& box) {
 /// Makes the parts of a scene, stage by stage.
 class SceneMaker {
  public:
-  SceneMaker(const PointCloud& cloud, SeenParts* seen, const std::vector<Detection>& detections,
-             const Surroundings& known, SceneParts& parts)
+  SceneMaker(const PointCloud& cloud, const std::vector<Detection>& detections,
+             const Surroundings& known, double deadline_ms, SceneParts& parts)
       : detections_(detections),
         known_(known),
-        seen_(seen),
-        deadline_(parts.options.deadline_ms),
-        half_(0.5 * parts.options.deadline_ms),
+        deadline_(deadline_ms),
+        half_(0.5 * deadline_ms),
         parts_(parts),
-        views_(cloud, seen == nullptr ? check_range(cloud) : std::move(seen->range), known,
-               detections, &parts.warnings) {}
+        views_(cloud, known, detections, &parts.warnings) {}
 
   void make(std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
     drop_surplus();
@@ -52,7 +50,18 @@ class SceneMaker {
     stage("shapes", [&] { add_shapes(detections_, &parts_); });
     if (views_.first().points.empty()) warn("the cloud is empty");
     check_support();
-    stage("view", [&] { make_views(); });
+    const PlanOptions& options = parts_.options;
+    stage("view", [&] {
+      std::vector<std::optional<DepthView>> made(views_.size());
+      parallel_for(static_cast<int>(made.size()), options.threads, [&](int v) {
+        made[v].emplace(*views_[v].seen, options.baseline, options.resolution);
+      });
+      std::vector<DepthView> views;
+      views.reserve(made.size());
+      for (std::optional<DepthView>& view : made) views.push_back(*std::move(view));
+      parts_.shared_views = std::make_shared<const std::vector<DepthView>>(std::move(views));
+      parts_.views = *parts_.shared_views;
+    });
     const bool seen_so = has_viewpoint();
     if (seen_so && !sighted()) {
       warn("no point lies before the viewpoint: all space counts as unknown");
@@ -77,20 +86,6 @@ class SceneMaker {
     work();
     const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
     parts_.timings.push_back({name, passed.count()});
-  }
-
-  void make_views() {
-    const PlanOptions& options = parts_.options;
-    std::vector<std::optional<DepthView>> made(views_.size());
-    if (seen_ != nullptr) made.front() = std::move(seen_->view);
-    parallel_for(static_cast<int>(made.size()), options.threads, [&](int v) {
-      if (!made[v]) made[v].emplace(*views_[v].seen, options.baseline, options.resolution);
-    });
-    std::vector<DepthView> views;
-    views.reserve(made.size());
-    for (std::optional<DepthView>& view : made) views.push_back(*std::move(view));
-    parts_.shared_views = std::make_shared<const std::vector<DepthView>>(std::move(views));
-    parts_.views = *parts_.shared_views;
   }
 
   void warn(const std::string& text) { parts_.warnings.push_back(text); }
@@ -157,7 +152,6 @@ class SceneMaker {
 
   std::vector<Detection> detections_;
   const Surroundings& known_;
-  SeenParts* seen_;
   /// Targets are chosen within half of the time, which leaves the other half to try them.
   const Deadline deadline_, half_;
   SceneParts& parts_;
@@ -167,14 +161,14 @@ class SceneMaker {
 }  // namespace
 
 std::unique_ptr<const SceneParts> make_scene_parts(
-    const PointCloud& cloud, SeenParts* seen, const std::vector<Detection>& detections,
-    const Gripper& gripper, const PlanOptions& options, const Surroundings& known,
-    std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
+    const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
+    const PlanOptions& options, const Surroundings& known, std::optional<std::vector<Box>> boxes,
+    const std::vector<SceneBody>& bodies, double deadline_ms) {
   auto parts = std::make_unique<SceneParts>();
   parts->gripper = gripper;
   parts->options = options;
   parts->reach = hand_reach(gripper, options.approach);
-  SceneMaker(cloud, seen, detections, known, *parts).make(std::move(boxes), bodies);
+  SceneMaker(cloud, detections, known, deadline_ms, *parts).make(std::move(boxes), bodies);
   return parts;
 }
 

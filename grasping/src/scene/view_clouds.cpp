@@ -1,15 +1,13 @@
 #include "scene/view_clouds.hpp"
 
-#include <utility>
-
 namespace quadrille {
 
-ViewClouds::ViewClouds(const PointCloud& cloud, RangeCheck range, const Surroundings& known,
+ViewClouds::ViewClouds(const PointCloud& cloud, const Surroundings& known,
                        const std::vector<Detection>& detections,
                        std::vector<std::string>* warnings) {
-  views_.push_back(checked(cloud, std::move(range), known.robot, warnings));
+  views_.push_back(checked(cloud, known.robot, warnings));
   for (const PointCloud& further : known.views) {
-    const View view = checked(further, check_range(further), known.robot, warnings);
+    const View view = checked(further, known.robot, warnings);
     const std::string doubt = contradict_viewpoint(*view.things, detections);
     if (doubt.empty()) {
       views_.push_back(view);
@@ -24,9 +22,9 @@ ViewClouds::ViewClouds(const PointCloud& cloud, RangeCheck range, const Surround
   all_.viewpoint = cloud.viewpoint;
 }
 
-ViewClouds::View ViewClouds::checked(const PointCloud& cloud, RangeCheck range_check,
-                                     const RobotShapes& robot, std::vector<std::string>* warnings) {
-  const RangeCheck& range = ranges_.emplace_back(std::move(range_check));
+ViewClouds::View ViewClouds::checked(const PointCloud& cloud, const RobotShapes& robot,
+                                     std::vector<std::string>* warnings) {
+  const RangeCheck& range = ranges_.emplace_back(check_range(cloud));
   if (range.far > 0) warnings->push_back(range.warning());
   const PointCloud* seen = &range.kept(cloud);
   if (robot.shapes.empty()) return {seen, seen};

@@ -24,9 +24,8 @@ class ViewClouds {
 
   /// A further view that cannot have been seen from its viewpoint is left out, because its free
   /// space would be wrong.
-  /// @param range  which points of the cloud its sensor can have measured
   /// @param warnings  receives what is wrong with the views
-  ViewClouds(const PointCloud& cloud, RangeCheck range, const Surroundings& known,
+  ViewClouds(const PointCloud& cloud, const Surroundings& known,
              const std::vector<Detection>& detections, std::vector<std::string>* warnings);
   ViewClouds(const ViewClouds&) = delete;
   ViewClouds& operator=(const ViewClouds&) = delete;
@@ -42,7 +41,7 @@ class ViewClouds {
   const PointCloud& all() const { return size() == 1 ? first() : all_; }
 
  private:
-  View checked(const PointCloud& cloud, RangeCheck range_check, const RobotShapes& robot,
+  View checked(const PointCloud& cloud, const RobotShapes& robot,
                std::vector<std::string>* warnings);
 
   // In lists, so that the clouds in them keep their addresses.

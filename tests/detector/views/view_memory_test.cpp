@@ -36,23 +36,6 @@ bool same_bits(const PointCloud& a, const PointCloud& b) {
 
 }  // namespace
 
-TEST_CASE("views that were prepared are remembered as others are", "[views][memory]") {
-  ViewMemory memory, prepared;
-  for (const int n : {0, 4, 70, 140}) {
-    const Taken taken = taken_from_eye(world_table(), eye_at(n));
-    const std::int64_t utime = (n + 1) * kSecond / 10;
-    const Eigen::Isometry3d correction = memory.add(utime, taken.cloud, taken.X_WK);
-    const Eigen::Isometry3d same = prepared.add(utime, prepared.prepare(taken.cloud), taken.X_WK);
-    CHECK(correction.matrix() == same.matrix());
-  }
-  const std::vector<PointCloud> views = views_in_world(memory), others = views_in_world(prepared);
-  REQUIRE(views.size() == 3);
-  REQUIRE(others.size() == views.size());
-  for (std::size_t n = 0; n < views.size(); ++n) CHECK(same_bits(views[n], others[n]));
-  prepared.add(20 * kSecond, prepared.prepare(PointCloud()), Eigen::Isometry3d::Identity());
-  CHECK(prepared.size() == 3);
-}
-
 TEST_CASE("a view from nearly the same direction takes the place of the one before",
           "[views][memory]") {
   ViewMemory memory;

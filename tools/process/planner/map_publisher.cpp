@@ -31,22 +31,20 @@ std::chrono::milliseconds interval_of(const PlannerSettings& settings) {
 MapPublisher::MapPublisher(const PlannerSettings& settings, bus::Publish publish)
     : channel_(settings.occupancy_channel),
       publish_(std::move(publish)),
-      limited_(interval_of(settings).count() > 0),
       due_(interval_of(settings)) {}
 
 std::int64_t MapPublisher::add(Map map) {
-  if (!limited_) return publish(map);
-  // A map is large, so the old one is destroyed after the lock is released.
-  std::optional<Map> old = std::move(map);
-  const std::lock_guard lock(mutex_);
-  kept_.swap(old);
-  return 0;
+  if (!due_.admit()) {
+    late_ = std::move(map);
+    return 0;
+  }
+  late_.reset();
+  return publish(map);
 }
 
 std::optional<MapPublisher::Map> MapPublisher::take_due() {
-  const std::lock_guard lock(mutex_);
-  if (!kept_ || !due_.admit()) return std::nullopt;
-  return std::exchange(kept_, std::nullopt);
+  if (!late_ || !due_.admit()) return std::nullopt;
+  return std::exchange(late_, std::nullopt);
 }
 
 std::int64_t MapPublisher::publish(const Map& map) {

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "process/planner/messages.hpp"
@@ -13,8 +12,8 @@
 
 namespace quadrille {
 
-/// Publishes the occupancy of clouds: at once, or at a limited rate, with the newest map each time.
-/// For any thread, but maps are published by one at a time.
+/// Publishes the occupancy of clouds at a limited rate. Of the maps that come too soon after
+/// another, the newest waits. For the working thread only.
 class MapPublisher {
  public:
   /// The space of a cloud, in the camera's frame K.
@@ -26,11 +25,10 @@ class MapPublisher {
 
   MapPublisher(const PlannerSettings& settings, bus::Publish publish);
 
-  /// Publishes the map now, in the frame of the results, if the rate is not limited, else keeps it
-  /// until one is due.
+  /// Publishes the map now, in the frame of the results, or keeps it until it is due.
   /// @return number of bytes published
   std::int64_t add(Map map);
-  /// Returns the map that is kept, if one is due now.
+  /// Returns the waiting map, if it is due now.
   std::optional<Map> take_due();
   /// Publishes a map at once; a map that does not fit into an OctoMap is logged instead.
   /// @return number of bytes published
@@ -39,11 +37,9 @@ class MapPublisher {
  private:
   const std::string channel_;
   const bus::Publish publish_;
-  const bool limited_;
-  LimitedLog log_;
-  std::mutex mutex_;
   bus::RateLimiter due_;
-  std::optional<Map> kept_;
+  LimitedLog log_;
+  std::optional<Map> late_;
 };
 
 }  // namespace quadrille

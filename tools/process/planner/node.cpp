@@ -34,8 +34,8 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
                      remember_view(camera, cloud, pose);
                    }),
       knowledge_(settings_),
-      occupancies_(settings, publish_),
-      planner_(settings_) {
+      planner_(settings_),
+      occupancies_(settings, publish_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   log_info(fmt::format("plans for the hand {}", settings.gripper.name));
 }
@@ -179,17 +179,7 @@ std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan
   return plan.space ? bytes + occupancies_.add({stamp, plan.space, X_RK}) : bytes;
 }
 
-/// Returns the job of preparing the newest cloud while the detector works on it.
-std::optional<Job> PlannerNode::find_early_job() {
-  const std::lock_guard lock(mutex_);
-  const Pairing::Kept* newest = pairing_.newest();
-  if (settings_.on_request || newest == nullptr || newest->cloud == early_) return std::nullopt;
-  early_ = newest->cloud;
-  return Job{early_->utime,
-             [this, kept = *newest] { planner_.prepare(kept.cloud, kept.placement); }};
-}
-
-/// Returns the job of publishing the map of the last plan, once one is due.
+/// Returns the job of publishing the last cloud's map, once it is due.
 std::optional<Job> PlannerNode::find_spare_job() {
   std::optional<MapPublisher::Map> due = occupancies_.take_due();
   if (!due) return std::nullopt;

@@ -45,7 +45,6 @@ class PlannerNode : public Node {
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
   std::vector<Job> find_due_jobs(Time now) override;
-  std::optional<Job> find_early_job() override;
   std::optional<Job> find_spare_job() override;
   std::string publish_status(const RunState& run) override;
   std::string summary() const override;
@@ -85,8 +84,6 @@ class PlannerNode : public Node {
 
   mutable std::mutex mutex_;
   Pairing pairing_;
-  /// The last cloud that was prepared before its quadrics came.
-  PairPlanner::SharedCloud early_;
   RecentMessages<bus::BoxesMessage> boxes_;
   RecentMessages<bus::BodiesMessage> bodies_;
   RecentMessages<bus::BodyTracksMessage> body_tracks_;
@@ -104,9 +101,9 @@ class PlannerNode : public Node {
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
-  MapPublisher occupancies_;
   // These are used by the working thread only.
   PairPlanner planner_;
+  MapPublisher occupancies_;
   /// The viewer, if --viz is given.
   std::optional<Viewer> viewer_;
 };

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,7 +15,6 @@
 #include "quadrille/detector/view_memory.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
-#include "quadrille/grasping/seen_cloud.hpp"
 
 namespace quadrille {
 
@@ -30,12 +28,6 @@ class PairPlanner {
   explicit PairPlanner(const PlannerSettings& settings)
       : settings_(settings), memory_(settings.detector) {}
 
-  using SharedCloud = std::shared_ptr<const bus::CloudMessage>;
-
-  /// Does what a plan on a cloud takes and its quadrics do not change, before these come. It
-  /// changes no plan. If quadrics come for few clouds, it does nothing for most.
-  void prepare(const SharedCloud& cloud, const Placement& placement);
-
   /// Returns the plan in the frame of the results; it has no grasps if the camera's pose is not
   /// known.
   /// @param known  what the robot knows besides
@@ -47,7 +39,9 @@ class PairPlanner {
                  bool advise = false);
 
   /// Remembers what a cloud shows, for plans on later ones, if the camera's pose is known.
-  void remember(const CloudAndQuadrics& pair, const Known& known);
+  void remember(const CloudAndQuadrics& pair, const Known& known) {
+    remember(*pair.cloud, pair.placement, known.surroundings.robot, 0);
+  }
   /// The same for any camera.
   /// @param robot   the robot's shapes in the camera's frame
   /// @param camera  0 for the camera on whose clouds grasps are planned
@@ -69,9 +63,6 @@ class PairPlanner {
   GraspPlan plan_in_camera(const SharedPair& pair, const Known& known, const GraspQuery& query,
                            bool advise);
 
-  bool may_remember(std::int64_t utime, const Placement& placement) const;
-  void count_views(const Eigen::Isometry3d& correction, const Eigen::Isometry3d& X_WK);
-  SeenCloud take_seen(const CloudAndQuadrics& pair);
   void fit_views(std::size_t views, const GraspPlan& plan);
 
   const PlannerSettings& settings_;
@@ -82,15 +73,6 @@ class PairPlanner {
   Surroundings of_scene_;
   /// What earlier clouds showed.
   ViewMemory memory_;
-  /// A cloud that was prepared, and what was made of it.
-  struct Prepared {
-    SharedCloud cloud;
-    SeenCloud seen;
-    /// What the memory is to keep of it; nullopt if nothing is remembered.
-    std::optional<PreparedView> view;
-  };
-  /// Clouds whose quadrics have not come, the oldest first.
-  std::deque<Prepared> prepared_;
   /// Largest number of views for which there is time.
   std::size_t max_views_ = std::numeric_limits<std::size_t>::max();
   ForgottenTime forgotten_;

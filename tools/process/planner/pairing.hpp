@@ -68,14 +68,6 @@ class Pairing {
   /// forgotten
   std::optional<CloudAndQuadrics> add(bus::QuadricsMessage quadrics, OtherThings others = {});
 
-  /// A cloud that waits for its quadrics.
-  struct Kept {
-    std::shared_ptr<const bus::CloudMessage> cloud;
-    Placement placement;
-  };
-  /// Returns the newest of them; nullptr if there is none.
-  const Kept* newest() const { return clouds_.empty() ? nullptr : &clouds_.back(); }
-
   std::int64_t paired() const { return paired_; }
   /// Number of quadrics whose cloud has not come.
   std::int64_t unpaired() const;
@@ -92,6 +84,10 @@ class Pairing {
   std::optional<GivenUp> take_given_up() { return std::exchange(given_up_, std::nullopt); }
 
  private:
+  struct Kept {
+    std::shared_ptr<const bus::CloudMessage> cloud;
+    Placement placement;
+  };
   struct Waiting {
     bus::QuadricsMessage quadrics;
     OtherThings others;

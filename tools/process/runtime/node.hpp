@@ -87,13 +87,8 @@ class Node {
   /// @return the work to be done, in this order
   std::vector<Job> take(Time now, const std::string& channel, std::span<const std::byte> bytes);
 
-  /// Returns a job whose result the work on later messages will use, to run while nothing else is
-  /// to be done. It changes no result. Only processes on the bus call it, from their working
-  /// thread, after a message that called for no work.
-  virtual std::optional<Job> find_early_job() { return std::nullopt; }
-
-  /// Returns a job that no message waits for, to run beside all others. Only processes on the bus
-  /// call it, from a separate thread, which also does the job.
+  /// Returns a job to run while the node is idle, that is while no message waits. Only processes on
+  /// the bus call it, from their working thread.
   virtual std::optional<Job> find_spare_job() { return std::nullopt; }
 
   /// Publishes the status. For a separate thread, also while a job is being done.

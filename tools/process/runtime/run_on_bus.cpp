@@ -4,14 +4,12 @@
 #include <cstdlib>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 #include "link/connection.hpp"
 #include "link/receiver.hpp"
 #include "link/url.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
-#include "process/runtime/spare_worker.hpp"
 #include "process/runtime/status/stats_file.hpp"
 #include "process/runtime/watch/loss_watch.hpp"
 #include "process/runtime/watch/other_senders.hpp"
@@ -23,9 +21,6 @@
 
 namespace quadrille {
 namespace {
-
-// Spare jobs give way to the work on messages by so much more, as nice does.
-constexpr int kSpareNiceness = 5;
 
 void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
   if (!job.refuse) {
@@ -44,9 +39,7 @@ class Inbox {
 
   void take(const std::string& channel, std::span<const std::byte> bytes) {
     const std::lock_guard lock(mutex_);
-    std::vector<Job> jobs = node_.take(now(), channel, bytes);
-    if (jobs.empty()) mailbox_.wake();
-    for (Job& job : jobs) hand_over(job, mailbox_);
+    for (Job& job : node_.take(now(), channel, bytes)) hand_over(job, mailbox_);
   }
 
   /// Passes on the jobs that have waited long enough.
@@ -114,7 +107,6 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
   status_rate.admit();
   LossWatch losses;
   Worker worker(mailbox, node, niceness);
-  SpareWorker spare(node, niceness + kSpareNiceness);
   bus::Receiver receiver(connection);
   while (!bus::stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -126,7 +118,7 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
     }
     if (status_rate.admit()) publish_status(connection, mailbox, others, stats, node);
   }
-  if (worker.finish(kStopPatience) && spare.finish(kStopPatience)) return;
+  if (worker.finish(kStopPatience)) return;
   log_warning("the work at hand does not end; it is given up");
   tell_end(connection, mailbox, others, stats, node);
   // No destructor may run, because the working thread still uses all objects.

@@ -1,6 +1,7 @@
 #include "process/runtime/worker.hpp"
 
-#include "process/runtime/background.hpp"
+#include <signal.h>
+#include <sys/resource.h>
 
 namespace quadrille {
 
@@ -18,11 +19,16 @@ bool Worker::finish(std::chrono::milliseconds patience) {
 }
 
 void Worker::run() {
-  go_to_background(niceness_);
+  // Signals are left to the main thread.
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  // On Linux each thread has its own niceness, so the receiving thread keeps its own. A failure
+  // costs only speed.
+  if (niceness_ > 0) setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + niceness_);
   while (!stop_) {
-    bool woken = false;
-    auto job = mailbox_.take(std::chrono::milliseconds(100), &woken);
-    if (!job && woken) job = node_.find_early_job();
+    auto job = mailbox_.take(std::chrono::milliseconds(100));
+    if (!job) job = node_.find_spare_job();
     if (job) node_.work(*job);
   }
   ended_.set_value();

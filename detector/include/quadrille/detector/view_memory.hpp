@@ -13,22 +13,6 @@
 
 namespace quadrille {
 
-/// What a ViewMemory keeps of a cloud. Only the cloud is needed for it, so that it can be made
-/// before the memory has to take the view.
-class PreparedView {
- public:
-  QUADRILLE_EXPORT PreparedView(PreparedView&&) noexcept;
-  QUADRILLE_EXPORT PreparedView& operator=(PreparedView&&) noexcept;
-  QUADRILLE_EXPORT ~PreparedView();
-
- private:
-  friend class ViewMemory;
-  struct Parts;
-  explicit PreparedView(std::unique_ptr<Parts> parts);
-
-  std::unique_ptr<Parts> parts_;
-};
-
 /// The views of a scene that moving cameras had, kept up to date.
 ///
 /// The memory keeps the views of each camera whose directions of sight are `views.sector` apart. A
@@ -58,13 +42,6 @@ class ViewMemory {
   /// @return the motion within W that corrects the pose; the identity if there is nothing to
   ///   compare the view with
   QUADRILLE_EXPORT Eigen::Isometry3d add(std::int64_t utime, const PointCloud& cloud,
-                                         const Eigen::Isometry3d& X_WC, int camera = 0);
-
-  /// Does the part of add() that needs the cloud alone. The view must be added to a memory with the
-  /// same options.
-  QUADRILLE_EXPORT PreparedView prepare(const PointCloud& cloud) const;
-  /// Adds a view that was prepared, as the other add() does.
-  QUADRILLE_EXPORT Eigen::Isometry3d add(std::int64_t utime, PreparedView view,
                                          const Eigen::Isometry3d& X_WC, int camera = 0);
 
   /// Returns the views but the one that this camera had at this time, the newest first.

@@ -8,7 +8,6 @@
 #include "quadrille/detector/export.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "quadrille/grasping/seen_cloud.hpp"
 
 namespace quadrille {
 
@@ -23,13 +22,6 @@ class GraspScene {
   /// deadline in the options passes during construction, some targets are missing, and each plan on
   /// the scene says so.
   QUADRILLE_EXPORT GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
-                              const Gripper& gripper, const PlanOptions& options = {},
-                              const Surroundings& known = {},
-                              std::optional<std::vector<Box>> boxes = {},
-                              const std::vector<SceneBody>& bodies = {});
-  /// The same for a cloud that was prepared before its detections were known.
-  /// @throws std::invalid_argument also if it was prepared with another resolution or baseline
-  QUADRILLE_EXPORT GraspScene(SeenCloud cloud, const std::vector<Detection>& detections,
                               const Gripper& gripper, const PlanOptions& options = {},
                               const Surroundings& known = {},
                               std::optional<std::vector<Box>> boxes = {},

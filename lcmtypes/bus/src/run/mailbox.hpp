@@ -53,23 +53,10 @@ class Mailbox {
     return true;
   }
 
-  /// Ends the wait of the thread that works, or its next one, without an item.
-  void wake() {
-    {
-      const std::lock_guard lock(mutex_);
-      woken_ = true;
-    }
-    filled_.notify_one();
-  }
-
-  /// Takes an item, waiting for one until the timeout or wake(); nullopt if none came.
-  /// @param woken  if not null, receives whether wake() was called since the last call
-  std::optional<T> take(std::chrono::milliseconds timeout, bool* woken = nullptr) {
+  /// Takes an item, waiting for one until the timeout; nullopt if none came.
+  std::optional<T> take(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    filled_.wait_for(lock, timeout,
-                     [this] { return woken_ || !slots_.empty() || !queue_.empty(); });
-    const bool was_woken = std::exchange(woken_, false);
-    if (woken != nullptr) *woken = was_woken;
+    filled_.wait_for(lock, timeout, [this] { return !slots_.empty() || !queue_.empty(); });
     if (!queue_.empty() && !(from_queue_ && !slots_.empty())) {
       from_queue_ = true;
       T item = std::move(queue_.front());
@@ -97,7 +84,6 @@ class Mailbox {
   std::deque<T> queue_;
   /// True if the last item was taken from the queue.
   bool from_queue_ = false;
-  bool woken_ = false;
   std::int64_t superseded_ = 0;
 };
 
