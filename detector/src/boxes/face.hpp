@@ -91,6 +91,8 @@ FacePatch patch_around(const std::vector<Eigen::Vector3d>& points_C, const Eigen
 struct FlatPatch {
   FacePatch patch;
   double sigma = 0.0;
+  /// How far beside the patch the face may reach [m].
+  double margin = kMaxTolerance;
 };
 
 }  // namespace quadrille

@@ -18,9 +18,6 @@ constexpr double kMinGrowth = 1.1;
 // is no noisier than them: if it grows onto a neighbour, the step between the two passes for noise,
 // and the face swallows whatever lies near.
 constexpr double kMaxNoise = 2.0;
-// The samples of a seed's side end where its rounded edges begin. The side reaches no farther
-// beyond them [m].
-constexpr double kSeedMargin = 0.5 * kRounding;
 // So many points in and around a patch suffice to tell how far it grows and whether it bends.
 constexpr std::size_t kDraftPoints = 1500;
 
@@ -103,7 +100,7 @@ std::optional<Face> face_at(const FacePatch& patch, double sigma, const Directio
 
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
   std::optional<MeasuredFace> measured =
-      measured_face_at(flat.patch, flat.sigma, kSeedMargin, sight);
+      measured_face_at(flat.patch, flat.sigma, flat.margin, sight);
   return measured ? unbent(std::move(*measured)) : std::nullopt;
 }
 

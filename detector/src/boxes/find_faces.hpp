@@ -13,8 +13,7 @@ namespace quadrille {
 /// @param sigma  noise of the points along the patch's normal [m]
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
-/// The face at a side of a seed, nullopt if it bends more than worn boxes do. It reaches little
-/// farther than the patch: the plane of a small side also meets points of the table, in a line.
+/// The face at a side of a seed, nullopt if it bends more than worn boxes do.
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight);
 
 /// The largest face in a patch, which has grown as far as its plane explains points; nullopt if

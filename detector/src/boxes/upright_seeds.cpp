@@ -33,6 +33,10 @@ constexpr double kMinShare = 0.9;
 // Least number of samples of a side, which are enough for a plane.
 constexpr std::size_t kMinSideSamples = 8;
 
+// The samples of a side end where its rounded edges begin. The side reaches little farther [m]: its
+// plane also meets the table, in a line of points.
+constexpr double kMargin = 0.5 * kRounding;
+
 /// Three sides of a box that face the sensor: outward unit directions, and where the sides lie
 /// along them [m].
 struct Corner {
@@ -160,6 +164,7 @@ std::optional<BoxSeed> upright_seed(const SurfaceSamples& samples, std::span<con
     count += on[axis].size();
     if (on[axis].size() < kMinSideSamples) continue;
     seed.push_back(patch_of_side(samples, on[axis], corner.R_CS, axis));
+    seed.back().margin = kMargin;
   }
   if (static_cast<double>(count) < kMinShare * static_cast<double>(piece.size()))
     return std::nullopt;
