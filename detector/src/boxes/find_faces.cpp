@@ -64,17 +64,21 @@ std::optional<MeasuredFace> measured_face_at(const FacePatch& patch, double sigm
 }
 
 /// A measured face with how far it bulges.
-Face bulging(MeasuredFace measured) {
-  const Bend bend = bend_of(measured.face, measured.measured_C);
+Face bent(MeasuredFace measured, const Bend& bend) {
   measured.face.bulge = bend.bulge;
   measured.face.bulge_std = bend.bulge_std;
   return std::move(measured.face);
 }
+Face bent(MeasuredFace measured) {
+  const Bend bend = bend_of(measured.face, measured.measured_C);
+  return bent(std::move(measured), bend);
+}
 
 /// The same; nullopt if the face bends more than worn boxes do.
 std::optional<Face> unbent(MeasuredFace measured) {
-  if (bend_of(measured.face, measured.measured_C).turn > kMaxTurn) return std::nullopt;
-  return bulging(std::move(measured));
+  const Bend bend = bend_of(measured.face, measured.measured_C);
+  if (bend.turn > kMaxTurn) return std::nullopt;
+  return bent(std::move(measured), bend);
 }
 
 /// The face that grows from a patch; nullopt if there is none, or if it bends.
@@ -95,7 +99,7 @@ std::optional<Face> flat_face(const FacePatch& patch, double sigma, const Direct
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   std::optional<MeasuredFace> measured = measured_face_at(patch, sigma, kMaxTolerance, sight);
   if (!measured) return std::nullopt;
-  return bulging(*std::move(measured));
+  return bent(*std::move(measured));
 }
 
 std::optional<Face> unbent_face_at(const FlatPatch& flat, const DirectionIndex& sight) {
@@ -124,7 +128,7 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
     // their mean.
     auto own = found.size() > 1 ? finder.refitted(measured, patch.X_CP.linear()) : std::nullopt;
     if (own) measured = std::move(*own);
-    faces.push_back(bulging(std::move(measured)));
+    faces.push_back(bent(std::move(measured)));
     faces.back().id = plane.id;
     faces.back().score = plane.score;
   }
