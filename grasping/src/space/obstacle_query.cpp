@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include "base/rounding.hpp"
@@ -157,8 +158,8 @@ std::uint8_t ObstacleMap::descend(const Query& query, const Cube& cube,
     return met;
   }
   const int edge = kEdge >> (cube.level - 1);
-  const std::uint8_t* parts =
-      cube.block.row(cube.level - 1, 2 * cube.here.y(), 2 * cube.here.z()) + 2 * cube.here.x();
+  const std::uint8_t* parts = cube.block.row(cube.level - 1, 2 * cube.here.y(), 2 * cube.here.z()) +
+                              std::ptrdiff_t{2} * cube.here.x();
   for (int n = 0; n < 8; ++n) {
     const Eigen::Vector3i eighth = eighth_of_cube(n);
     // Most eighths hold nothing.
