@@ -19,8 +19,6 @@ namespace {
 
 // A piece of fewer samples may be noise, or points mixed from two surfaces.
 constexpr std::size_t kMinSamples = 40;
-// Least number of samples of a side, which are enough for a plane.
-constexpr std::size_t kMinSideSamples = 8;
 // A sample belongs to a side if its normal is within this angle of the side's [rad]: faces bulge.
 constexpr double kMaxTilt = 0.5;
 // Least share of a piece's samples that belong to a side. Of the mantle of a cylinder only .64 do;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "samples/surface_samples.hpp"
 
 namespace quadrille {
+
+/// Least number of samples of a side, which are enough for a plane.
+inline constexpr std::size_t kMinSideSamples = 8;
 
 /// Patches at right angles to each other, one for each side of a thing that may be a box.
 using BoxSeed = std::vector<FlatPatch>;

@@ -49,7 +49,8 @@ bool has_floating(const Row& row, double behind, double tolerance, double pitch)
   });
 }
 
-/// Where the heights beside a row cross half of the way to what lies behind.
+/// The place beside a row of points at which the heights pass the middle between the face and what
+/// lies behind it.
 struct Crossing {
   /// How far beyond half a pitch after the end of the row [m].
   double reach = 0.0;

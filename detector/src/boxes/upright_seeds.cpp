@@ -19,7 +19,7 @@ constexpr int kHalvings = 4;
 // About so many samples are compared at each turn, evenly chosen. With twice as many, boxes in
 // simulated packed scenes are found no more often.
 constexpr std::size_t kTried = 64;
-// Where a side lies is found from the samples nearest to it, so often.
+// A side moves to the middle of the samples nearest to it, which then may be other ones, so often.
 constexpr int kRounds = 3;
 // At first a side lies where this share of the samples is behind it: the others may be strays.
 constexpr double kOutermost = 0.95;
@@ -30,8 +30,6 @@ constexpr double kMinReach = 0.0025;
 constexpr double kMaxReach = 0.1;
 // Least share of a piece's samples that lie on its sides; the others are on rounded edges.
 constexpr double kMinShare = 0.9;
-// Least number of samples of a side, which are enough for a plane.
-constexpr std::size_t kMinSideSamples = 8;
 
 // The samples of a side end where its rounded edges begin. The side reaches little farther [m]: its
 // plane also meets the table, in a line of points.
@@ -42,6 +40,7 @@ constexpr double kMargin = 0.5 * kRounding;
 struct Corner {
   Eigen::Matrix3d R_CS = Eigen::Matrix3d::Identity();
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  /// Sum of the squared distances of the samples from the nearest side, large ones cut [m²].
   double cost = 0.0;
 };
 

@@ -71,7 +71,7 @@ struct Body {
   bool contains(const Eigen::Vector3d& p_C, double margin = 0.0) const {
     return contains_Q(X_CQ.inverse() * p_C, margin);
   }
-  /// The same for a point in frame Q.
+  /// True if the body contains a point of frame Q, as contains() has it for a point of frame C.
   bool contains_Q(const Eigen::Vector3d& p_Q, double margin) const;
 };
 

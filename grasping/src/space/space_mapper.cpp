@@ -170,7 +170,7 @@ void SpaceMapper::mark_occupied(const PointCloud& cloud,
     const int* number = numbers.data();
     for (std::size_t n = first; n < first + count; ++n, number += 3) {
       const int i = number[0] - corner.x(), j = number[1] - corner.y(), k = number[2] - corner.z();
-      // As unsigned numbers, negative ones are too large.
+      // A negative number becomes a large one without its sign, so one comparison finds both.
       const auto beyond = [](int x, int count) {
         return static_cast<unsigned>(x) >= static_cast<unsigned>(count);
       };

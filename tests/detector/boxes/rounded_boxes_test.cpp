@@ -56,7 +56,7 @@ TEST_CASE("a small box with rounded edges and bulging faces is found with its si
       const Eigen::Vector3d error = box.size - truth;
       INFO("error " << 1000.0 * error.transpose() << " mm");
       CHECK(error.cwiseAbs().maxCoeff() < 0.003);
-      // What only is likely, since the other side bulges so, is not taken for seen.
+      // The hidden side likely bulges as the seen one does. The box that was seen leaves that out.
       CHECK((box.inner_B.sizes() - truth).maxCoeff() < 0.0005);
     }
   }
