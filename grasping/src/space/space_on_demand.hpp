@@ -19,9 +19,9 @@ namespace quadrille {
 /// Decides the voxels of a grid when they are asked for. Hands come near few of them, so most need
 /// never be decided.
 ///
-/// Occupied voxels are known from the start. Free ones are sought by eighths of blocks, clear ones
-/// voxel by voxel down to what they stand on. All answers are those of SpaceMapper::take_cleared().
-/// Several threads may ask at once.
+/// Occupied voxels are known from the start. Free ones are sought for an eighth of a block at a
+/// time, clear ones voxel by voxel down to what they stand on. All answers are those of
+/// SpaceMapper::take_cleared(). Several threads may ask at once.
 class OccupancyGrid::Source {
  public:
   /// @param mapper  knows all occupied voxels, and free ones that no view tells of
